@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+
+namespace semilunar
+{
+  InputError::InputError(const std::string &where, const std::string &value,
+                         const std::string &problem, const std::string &remedy)
+      : std::runtime_error(where + (value.empty() ? "" : " = \"" + value + "\"") + ": " + problem +
+                           (remedy.empty() ? "" : "; " + remedy))
+  {
+  }
+
+  NumericsError::NumericsError(const std::string &what, const std::string &when,
+                               const std::string &last_good_state)
+      : std::runtime_error(
+            what + " at " + when +
+            (last_good_state.empty() ? "" : "; the last good state is in " + last_good_state))
+  {
+  }
+} // namespace semilunar
