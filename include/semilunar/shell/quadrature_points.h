@@ -2,6 +2,7 @@
 #ifndef semilunar_shell_quadrature_points_h
 #define semilunar_shell_quadrature_points_h
 
+#include <semilunar/shell/aligned.h>
 #include <semilunar/spline/evaluation.h>
 
 namespace semilunar::shell
@@ -12,6 +13,7 @@ namespace semilunar::shell
   {
   public:
     /// @param n_per_direction Gauss points per element and direction; 0 means degree + 1
+    /// @throws InputError naming the element if the surface has no tangent plane at a Gauss point
     QuadraturePoints(const spline::Surface &surface, unsigned int n_per_direction = 0);
 
     unsigned int n_points() const { return elements.size(); }
@@ -24,8 +26,13 @@ namespace semilunar::shell
 
     /// The functions of the point's element, or their derivatives with respect to coordinates s_1,
     /// s_2 that are lengths along an orthonormal frame of the undeformed tangent plane (the map
-    /// from xi to s is linear, fixed at each point). Padded with zeros to stride(element) numbers.
-    const double *basis(unsigned int q, spline::Derivative derivative) const;
+    /// from xi to s is linear, fixed at each point: equations (Q2) and (Q3) of
+    /// doc/theory/contact.md). Padded with zeros to stride(element) numbers; starts at a cache
+    /// line.
+    const double *basis(unsigned int q, spline::Derivative derivative) const
+    {
+      return table.data() + offsets[q] + std::size_t(derivative) * strides[elements[q]];
+    }
     /// Number of functions of an element, rounded up to a multiple of simd_width.
     unsigned int stride(unsigned int element) const { return strides[element]; }
     static constexpr unsigned int simd_width = 8;
@@ -34,10 +41,14 @@ namespace semilunar::shell
     const std::array<spline::Tensor<1, 3>, 2> &frame(unsigned int q) const { return frames[q]; }
 
   private:
+    void append_point(const spline::Surface &surface, unsigned int element,
+                      const spline::Point<2> &xi, double gauss_weight, spline::BasisValues &basis);
+
     std::vector<unsigned int> first, elements, strides;
     std::vector<std::size_t> offsets;
     std::vector<spline::Point<2>> coordinates;
-    std::vector<double> weights, table;
+    std::vector<double> weights;
+    AlignedTable table; // per point: one row of stride numbers per derivative
     std::vector<std::array<spline::Tensor<1, 3>, 2>> frames;
   };
 } // namespace semilunar::shell
