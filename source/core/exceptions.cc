@@ -6,7 +6,8 @@ namespace semilunar
   InputError::InputError(const std::string &where, const std::string &value,
                          const std::string &problem, const std::string &remedy)
       : std::runtime_error(where + (value.empty() ? "" : " = \"" + value + "\"") + ": " + problem +
-                           (remedy.empty() ? "" : "; " + remedy))
+                           (remedy.empty() ? "" : "; " + remedy)),
+        place(where)
   {
   }
 

@@ -18,6 +18,13 @@ namespace semilunar
     /// @param remedy  what is allowed, or the nearest valid name
     InputError(const std::string &where, const std::string &value, const std::string &problem,
                const std::string &remedy);
+
+    /// The place alone, as given: if it is a Section/Entry, the file and line that set the entry
+    /// can be looked up and put in front (see ParameterInput::locate).
+    const std::string &where() const { return place; }
+
+  private:
+    std::string place;
   };
 
   /// The numerics gave up: no convergence, lost element, not a number. Ends the program with exit

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_scene_h
+#define semilunar_scene_scene_h
+
+#include <semilunar/core/run_context.h>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace semilunar::scene
+{
+  /// A kind of simulation: its parameters and how to run it. A scene builds only the rooms it
+  /// needs.
+  class Scene
+  {
+  public:
+    virtual ~Scene() = default;
+
+    /// Declare all entries and bind them to the scene's members.
+    virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+
+    /// After all entries were read: what no single entry can tell.
+    /// @throws InputError whose place is the "Section/Entry" to change
+    virtual void check() const {}
+
+    /// Compute, write into the folder of the context and fill its results. On a dry run: build and
+    /// check, report sizes, then return. Stop at the next accepted state once interrupted().
+    /// @throws InputError, NumericsError
+    virtual void run(RunContext &context) = 0;
+  };
+} // namespace semilunar::scene
+
+#endif
