@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_spline_bernstein_h
+#define semilunar_spline_bernstein_h
+
+#include <vector>
+
+namespace semilunar::spline
+{
+  /// The highest degree of a Bezier element in either direction (sizes the tables on the stack).
+  constexpr unsigned int max_degree = 10;
+
+  /// The Bernstein polynomials of a degree >= 1 on [0,1] at x, (S1): degree + 1 numbers.
+  void bernstein_values(unsigned int degree, double x, double *values);
+
+  /// The Bernstein polynomials and their first and second derivatives (S2): degree + 1 numbers in
+  /// each of the three arrays.
+  void bernstein_jet(unsigned int degree, double x, double *values, double *first, double *second);
+
+  /// The matrix M, (p+1) x (p+1) row by row, that turns values f_k at the points into Bernstein
+  /// coefficients: sum_b (sum_k M_bk f_k) B_b interpolates f. p + 1 distinct points are needed.
+  std::vector<double> bernstein_from_values(const std::vector<double> &points);
+} // namespace semilunar::spline
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/spline/bernstein.h>
+#include <semilunar/spline/evaluation.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace semilunar::spline
+{
+  namespace
+  {
+    /// The derivatives of one function side by side, padded to a whole number of SIMD registers.
+    constexpr unsigned int padded_derivatives = 8;
+    using PaddedJet = double[padded_derivatives];
+
+    /// The tensor-product Bernstein polynomials, (S3): table[b][derivative].
+    void tabulate_bernstein(const std::array<unsigned int, 2> &degree, const Point<2> &xi,
+                            PaddedJet *table)
+    {
+      double u[3][max_degree + 1], v[3][max_degree + 1];
+      bernstein_jet(degree[0], xi[0], u[0], u[1], u[2]);
+      bernstein_jet(degree[1], xi[1], v[0], v[1], v[2]);
+      for (unsigned int j = 0; j <= degree[1]; ++j)
+        for (unsigned int i = 0; i <= degree[0]; ++i, ++table)
+        {
+          (*table)[value] = u[0][i] * v[0][j];
+          (*table)[d1] = u[1][i] * v[0][j];
+          (*table)[d2] = u[0][i] * v[1][j];
+          (*table)[d11] = u[2][i] * v[0][j];
+          (*table)[d22] = u[0][i] * v[2][j];
+          (*table)[d12] = u[1][i] * v[1][j];
+          (*table)[6] = (*table)[7] = 0.;
+        }
+    }
+
+    /// sum_b C_ab B_b for one row of C.
+    inline void extract(const double *row, const unsigned int n_bernstein, const PaddedJet *table,
+                        PaddedJet &jet)
+    {
+      PaddedJet sum = {};
+      for (unsigned int b = 0; b < n_bernstein; ++b)
+        for (unsigned int k = 0; k < padded_derivatives; ++k)
+          sum[k] += row[b] * table[b][k];
+      for (unsigned int k = 0; k < padded_derivatives; ++k)
+        jet[k] = sum[k];
+    }
+
+    /// From w_a N_a and its derivatives to R_a: the quotient rule (S5).
+    void divide_by_weight(const PaddedJet &W, BasisValues &basis)
+    {
+      auto &R = basis.values;
+      const double scale = 1. / W[value];
+      const unsigned int n = R[value].size();
+      for (unsigned int a = 0; a < n; ++a)
+      {
+        const double r = R[value][a] * scale;
+        const double r1 = (R[d1][a] - r * W[d1]) * scale;
+        const double r2 = (R[d2][a] - r * W[d2]) * scale;
+        R[value][a] = r;
+        R[d1][a] = r1;
+        R[d2][a] = r2;
+        R[d11][a] = (R[d11][a] - 2. * r1 * W[d1] - r * W[d11]) * scale;
+        R[d22][a] = (R[d22][a] - 2. * r2 * W[d2] - r * W[d22]) * scale;
+        R[d12][a] = (R[d12][a] - r1 * W[d2] - r2 * W[d1] - r * W[d12]) * scale;
+      }
+    }
+  } // namespace
+
+  void evaluate_basis(const Surface &surface, const unsigned int element_index, const Point<2> &xi,
+                      BasisValues &basis)
+  {
+    AssertIndexRange(element_index, surface.elements.size());
+    const BezierElement &element = surface.elements[element_index];
+    const unsigned int n = element.n_functions(), m = element.n_bernstein();
+    Assert(element.degree[0] <= max_degree && element.degree[1] <= max_degree,
+           dealii::ExcMessage("degree above max_degree: the surface was not checked"));
+
+    PaddedJet table[(max_degree + 1) * (max_degree + 1)];
+    tabulate_bernstein(element.degree, xi, table);
+    for (std::vector<double> &values : basis.values)
+      values.resize(n);
+
+    PaddedJet W = {}, jet;
+    for (unsigned int a = 0; a < n; ++a)
+    {
+      extract(&element.extraction[std::size_t(a) * m], m, table, jet);
+      const double w = surface.control_points[element.control_points[a]].weight;
+      for (unsigned int k = 0; k < n_derivatives; ++k)
+      {
+        W[k] += w * jet[k];
+        basis.values[k][a] = w * jet[k];
+      }
+    }
+    divide_by_weight(W, basis);
+  }
+
+  SurfaceJet interpolate(const BezierElement &element, const BasisValues &basis,
+                         const std::vector<Tensor<1, 3>> &control_vectors)
+  {
+    SurfaceJet jet;
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
+    {
+      const Tensor<1, 3> &x = control_vectors[element.control_points[a]];
+      for (unsigned int k = 0; k < n_derivatives; ++k)
+        for (unsigned int d = 0; d < 3; ++d)
+          jet[k][d] += basis.values[k][a] * x[d];
+    }
+    return jet;
+  }
+
+  std::vector<Tensor<1, 3>> positions(const Surface &surface)
+  {
+    std::vector<Tensor<1, 3>> result;
+    result.reserve(surface.control_points.size());
+    for (const ControlPoint &point : surface.control_points)
+      result.push_back(point.position);
+    return result;
+  }
+
+  SurfaceJet evaluate(const Surface &surface, const SurfacePoint &point)
+  {
+    BasisValues basis;
+    evaluate_basis(surface, point.element, point.xi, basis);
+    const BezierElement &element = surface.elements[point.element];
+    SurfaceJet jet;
+    for (unsigned int a = 0; a < element.n_functions(); ++a)
+      for (unsigned int k = 0; k < n_derivatives; ++k)
+        jet[k] += basis.values[k][a] * surface.control_points[element.control_points[a]].position;
+    return jet;
+  }
+} // namespace semilunar::spline
