@@ -11,6 +11,16 @@ namespace semilunar
   {
   }
 
+  InputError::InputError(const std::string &message, const std::string &where)
+      : std::runtime_error(message), place(where)
+  {
+  }
+
+  InputError InputError::at(const std::string &better_place) const
+  {
+    return InputError(better_place + std::string(what()).substr(place.size()), better_place);
+  }
+
   NumericsError::NumericsError(const std::string &what, const std::string &when,
                                const std::string &last_good_state)
       : std::runtime_error(

@@ -19,11 +19,15 @@ namespace semilunar
     InputError(const std::string &where, const std::string &value, const std::string &problem,
                const std::string &remedy);
 
-    /// The place alone, as given: if it is a Section/Entry, the file and line that set the entry
-    /// can be looked up and put in front (see ParameterInput::locate).
+    /// The place alone, as given.
     const std::string &where() const { return place; }
 
+    /// The same mistake at a place that is known better, as in the file and line of an entry.
+    InputError at(const std::string &better_place) const;
+
   private:
+    InputError(const std::string &message, const std::string &where);
+
     std::string place;
   };
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_output_time_series_h
+#define semilunar_output_time_series_h
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace semilunar::output
+{
+  /// The table timeseries.csv: a row for each accepted load or time step. Rows are on disk once
+  /// added, so that a running simulation can be plotted. The first rank writes.
+  class TimeSeries
+  {
+  public:
+    struct Column
+    {
+      std::string name; ///< as in load_factor
+      std::string unit; ///< "-" for pure numbers
+    };
+
+    /// Create the file and write its header, "load_factor [-],volume [cm^3]".
+    /// @throws InputError on all ranks if the file cannot be written
+    TimeSeries(const std::filesystem::path &folder, const std::vector<Column> &columns);
+
+    /// Append a row, one value for each column; what does not exist is a NaN. Collective.
+    /// @throws InputError on all ranks if the row cannot be written (full disk)
+    void add_row(const std::vector<double> &values);
+
+  private:
+    void finish_line();
+
+    const std::filesystem::path filename;
+    const std::size_t n_columns;
+    std::ofstream file;
+  };
+} // namespace semilunar::output
+
+#endif
