@@ -25,24 +25,6 @@ namespace semilunar::spline
         derivative[i] = p * (lower[i - 1] - lower[i]);
       derivative[p] = p * lower[p - 1];
     }
-
-    /// The loops below written out: nearly all elements are cubic.
-    inline void cubic_jet(const double x, double *values, double *first, double *second)
-    {
-      const double y = 1. - x, xx = x * x, yy = y * y, xy = x * y;
-      values[0] = y * yy;
-      values[1] = 3. * x * yy;
-      values[2] = 3. * xx * y;
-      values[3] = x * xx;
-      first[0] = -3. * yy;
-      first[1] = 3. * yy - 6. * xy;
-      first[2] = 6. * xy - 3. * xx;
-      first[3] = 3. * xx;
-      second[0] = 6. * y;
-      second[1] = 6. * x - 12. * y;
-      second[2] = 6. * y - 12. * x;
-      second[3] = 6. * x;
-    }
   } // namespace
 
   void bernstein_values(const unsigned int degree, const double x, double *values)
@@ -55,9 +37,6 @@ namespace semilunar::spline
   void bernstein_jet(const unsigned int degree, const double x, double *values, double *first,
                      double *second)
   {
-    if (degree == 3)
-      return cubic_jet(x, values, first, second);
-
     const unsigned int p = degree;
     if (p >= 2)
     {

@@ -8,9 +8,9 @@ namespace semilunar::spline
 {
   namespace
   {
-    /// The derivatives of one function side by side, padded to a whole number of SIMD registers.
-    constexpr unsigned int padded_derivatives = 8;
-    using PaddedJet = double[padded_derivatives];
+    /// The derivatives of one function side by side, padded to a whole number of SIMD registers (a
+    /// vector extension that GCC and Clang share).
+    using PaddedJet = double __attribute__((vector_size(64)));
 
     /// The tensor-product Bernstein polynomials, (S3): table[b][derivative].
     void tabulate_bernstein(const std::array<unsigned int, 2> &degree, const Point<2> &xi,
@@ -21,27 +21,8 @@ namespace semilunar::spline
       bernstein_jet(degree[1], xi[1], v[0], v[1], v[2]);
       for (unsigned int j = 0; j <= degree[1]; ++j)
         for (unsigned int i = 0; i <= degree[0]; ++i, ++table)
-        {
-          (*table)[value] = u[0][i] * v[0][j];
-          (*table)[d1] = u[1][i] * v[0][j];
-          (*table)[d2] = u[0][i] * v[1][j];
-          (*table)[d11] = u[2][i] * v[0][j];
-          (*table)[d22] = u[0][i] * v[2][j];
-          (*table)[d12] = u[1][i] * v[1][j];
-          (*table)[6] = (*table)[7] = 0.;
-        }
-    }
-
-    /// sum_b C_ab B_b for one row of C.
-    inline void extract(const double *row, const unsigned int n_bernstein, const PaddedJet *table,
-                        PaddedJet &jet)
-    {
-      PaddedJet sum = {};
-      for (unsigned int b = 0; b < n_bernstein; ++b)
-        for (unsigned int k = 0; k < padded_derivatives; ++k)
-          sum[k] += row[b] * table[b][k];
-      for (unsigned int k = 0; k < padded_derivatives; ++k)
-        jet[k] = sum[k];
+          *table = PaddedJet{u[0][i] * v[0][j], u[1][i] * v[0][j], u[0][i] * v[1][j],
+                             u[2][i] * v[0][j], u[0][i] * v[2][j], u[1][i] * v[1][j]};
     }
 
     /// From w_a N_a and its derivatives to R_a: the quotient rule (S5).
@@ -79,16 +60,17 @@ namespace semilunar::spline
     for (std::vector<double> &values : basis.values)
       values.resize(n);
 
-    PaddedJet W = {}, jet;
-    for (unsigned int a = 0; a < n; ++a)
+    PaddedJet W{};
+    const double *c = element.extraction.data();
+    for (unsigned int a = 0; a < n; ++a, c += m)
     {
-      extract(&element.extraction[std::size_t(a) * m], m, table, jet);
-      const double w = surface.control_points[element.control_points[a]].weight;
+      PaddedJet N{};
+      for (unsigned int b = 0; b < m; ++b)
+        N += c[b] * table[b];
+      N *= surface.control_points[element.control_points[a]].weight;
+      W += N;
       for (unsigned int k = 0; k < n_derivatives; ++k)
-      {
-        W[k] += w * jet[k];
-        basis.values[k][a] = w * jet[k];
-      }
+        basis.values[k][a] = N[k];
     }
     divide_by_weight(W, basis);
   }
