@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/valve/boundary_curves.h>
+#include <semilunar/valve/design.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace semilunar::valve
+{
+  using dealii::ParameterHandler;
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    /// By how much the free edge's middle must lie further out than the smallest gap: the tip's
+    /// radius is proportional to the difference.
+    constexpr double rounding_margin = 1.1;
+
+    /// Posts may take this share of the circumference.
+    constexpr double largest_post_share = 0.5;
+
+    /// Free edges further out than this share of R leave no leaflet.
+    constexpr double largest_gap_share = 0.8;
+
+    /// Narrower bellies would be a dent between two control points of the base patch.
+    constexpr double smallest_belly_width = 0.3;
+
+    void add_boundary_parameters(Design &d, ParameterHandler &prm)
+    {
+      prm.add_parameter("Number of leaflets", d.n_leaflets, "2 or 3", Patterns::Integer(2, 3));
+      prm.add_parameter("Radius", d.radius,
+                        "R of the stent's wall and of the attachment edge [cm], > 0",
+                        Patterns::Double(0.));
+      prm.add_parameter("Commissure height", d.commissure_height,
+                        "z at the top of the posts, the ends of the free edge [cm], above the post "
+                        "foot",
+                        Patterns::Double());
+      prm.add_parameter("Post foot height", d.post_foot_height,
+                        "z where the straight post meets the scallop [cm], above the nadir",
+                        Patterns::Double());
+      prm.add_parameter("Nadir height", d.nadir_height,
+                        "z at the lowest point of the scallop [cm], > 0", Patterns::Double(0.));
+      prm.add_parameter("Post width", d.post_width,
+                        "Distance between the commissure lines of neighbouring leaflets [cm], > 0; "
+                        "neighbours keep at least this distance everywhere",
+                        Patterns::Double(0.));
+      prm.add_parameter("Free edge height", d.free_edge_height,
+                        "z of the middle of the free edge [cm], above the nadir",
+                        Patterns::Double());
+      prm.add_parameter("Free edge gap", d.free_edge_gap,
+                        "Distance of the middle of the free edge from the axis [cm], at least 1.1 "
+                        "times (post width / 2) / sin(pi / number of leaflets), at most 0.8 R",
+                        Patterns::Double(0.));
+    }
+
+    void add_belly_parameters(Design &d, ParameterHandler &prm)
+    {
+      prm.add_parameter(
+          "Belly", d.belly,
+          "Shape between the edges [-], 0: straight lines from attachment to free "
+          "edge, 1: in the middle the leaflet starts straight down from the free edge",
+          Patterns::Double(0., 1.));
+      prm.add_parameter("Belly height", d.belly_height,
+                        "z at which, for belly 1, the middle profile's tangents at free edge and "
+                        "nadir meet [cm]; lower is deeper, between -R and the free edge height",
+                        Patterns::Double());
+      prm.add_parameter(
+          "Belly width", d.belly_width,
+          "Share of the leaflet's width over which the belly extends, beyond it lines "
+          "are straight [-], 0.3 to 1",
+          Patterns::Double(smallest_belly_width, 1.));
+    }
+
+    void add_stent_parameters(Design &d, ParameterHandler &prm)
+    {
+      const Patterns::Integer positive(1);
+      prm.enter_subsection("Stent");
+      prm.add_parameter("Suture ring outer radius", d.stent.ring_outer_radius, "[cm], > R",
+                        Patterns::Double(0.));
+      prm.add_parameter(
+          "Elements along", d.stent.n_elements_along,
+          "Elements of wall and ring below each leaflet, along its scallop, even, >= 8",
+          Patterns::Integer(n_base_elements));
+      prm.add_parameter("Wall elements", d.stent.n_wall_elements,
+                        "Elements from the ring up to scallop and post foot, >= 1", positive);
+      prm.add_parameter("Ring elements", d.stent.n_ring_elements, "Elements across the ring, >= 1",
+                        positive);
+      prm.add_parameter("Elements across post", d.stent.n_elements_across_post, ">= 1", positive);
+      prm.add_parameter("Elements up post", d.stent.n_elements_up_post,
+                        "Elements from the post foot to the commissure, >= 1", positive);
+      prm.leave_subsection();
+    }
+
+    /// Throws unless the condition holds.
+    class Requirements
+    {
+    public:
+      explicit Requirements(const std::string &section) : section(section) {}
+
+      template <typename Number>
+      void operator()(const bool holds, const std::string &entry, const Number value,
+                      const std::string &problem, const std::string &remedy) const
+      {
+        if (holds)
+          return;
+        std::ostringstream text;
+        text << value;
+        throw InputError(section + "/" + entry, text.str(), problem, remedy);
+      }
+
+    private:
+      std::string section;
+    };
+
+    std::string text(const double length)
+    {
+      std::ostringstream out;
+      out << length << " cm";
+      return out.str();
+    }
+
+    void check_attachment(const Design &d, const Requirements &require)
+    {
+      require(d.n_leaflets == 2 || d.n_leaflets == 3, "Number of leaflets", d.n_leaflets,
+              "no design for this number", "choose 2 or 3");
+      require(d.radius > 0. && std::isfinite(d.radius), "Radius", d.radius, "not a radius",
+              "choose a number > 0");
+      const double widest =
+          2. * d.radius * std::sin(largest_post_share * dealii::numbers::PI / d.n_leaflets);
+      require(d.post_width > 0. && d.post_width <= widest, "Post width", d.post_width,
+              "leaves no room for leaflets or for the post",
+              "choose > 0 and at most " + text(widest));
+      require(d.nadir_height > 0. && std::isfinite(d.nadir_height), "Nadir height", d.nadir_height,
+              "the scallop reaches below the suture ring", "choose a height > 0");
+      require(d.post_foot_height > d.nadir_height && std::isfinite(d.post_foot_height),
+              "Post foot height", d.post_foot_height, "not above the nadir",
+              "choose more than the nadir height, " + text(d.nadir_height));
+      require(d.commissure_height > d.post_foot_height && std::isfinite(d.commissure_height),
+              "Commissure height", d.commissure_height, "not above the post foot",
+              "choose more than the post foot height, " + text(d.post_foot_height));
+    }
+
+    void check_free_edge_and_belly(const Design &d, const Requirements &require)
+    {
+      require(d.free_edge_height > d.nadir_height && std::isfinite(d.free_edge_height),
+              "Free edge height", d.free_edge_height, "not above the nadir",
+              "choose more than the nadir height, " + text(d.nadir_height));
+      const double smallest = rounding_margin * d.smallest_gap();
+      require(d.free_edge_gap >= smallest, "Free edge gap", d.free_edge_gap,
+              "neighbouring leaflets would come closer than the post width",
+              "choose at least " + text(smallest) + " or smaller posts");
+      require(d.free_edge_gap <= largest_gap_share * d.radius, "Free edge gap", d.free_edge_gap,
+              "the free edge would lie at the wall",
+              "choose at most " + text(largest_gap_share * d.radius));
+      require(d.belly >= 0. && d.belly <= 1., "Belly", d.belly, "out of range", "choose 0 to 1");
+      require(d.belly_height >= -d.radius && d.belly_height < d.free_edge_height, "Belly height",
+              d.belly_height, "the leaflet would fold",
+              "choose from " + text(-d.radius) + " to below the free edge height, " +
+                  text(d.free_edge_height));
+      require(d.belly_width >= smallest_belly_width && d.belly_width <= 1., "Belly width",
+              d.belly_width, "out of range", "choose 0.3 to 1");
+    }
+
+    void check_number_along(const unsigned int n, const std::string &entry,
+                            const Requirements &require)
+    {
+      require(n >= n_base_elements, entry, n, "too few to describe the shape",
+              "choose at least " + std::to_string(n_base_elements));
+      require(n % 2 == 0, entry, n, "the mesh would not be symmetric", "choose an even number");
+    }
+
+    void check_positive(const unsigned int n, const std::string &entry, const Requirements &require)
+    {
+      require(n >= 1, entry, n, "no elements", "choose at least 1");
+    }
+  } // namespace
+
+  void Design::add_parameters(ParameterHandler &prm)
+  {
+    add_boundary_parameters(*this, prm);
+    add_belly_parameters(*this, prm);
+    prm.add_parameter("Elements along", n_elements_along,
+                      "Elements of each leaflet from commissure to commissure, even, >= 8; any "
+                      "number describes the same surface",
+                      Patterns::Integer(n_base_elements));
+    prm.add_parameter("Elements across", n_elements_across,
+                      "Elements of each leaflet from attachment to free edge, >= 1",
+                      Patterns::Integer(1));
+    add_stent_parameters(*this, prm);
+  }
+
+  void Design::check(const std::string &section) const
+  {
+    const Requirements require(section);
+    check_attachment(*this, require);
+    check_free_edge_and_belly(*this, require);
+    check_number_along(n_elements_along, "Elements along", require);
+    check_positive(n_elements_across, "Elements across", require);
+
+    require(stent.ring_outer_radius > radius && std::isfinite(stent.ring_outer_radius),
+            "Stent/Suture ring outer radius", stent.ring_outer_radius,
+            "the ring lies outside of the wall",
+            "choose more than the radius of the wall, " + text(radius));
+    check_number_along(stent.n_elements_along, "Stent/Elements along", require);
+    check_positive(stent.n_wall_elements, "Stent/Wall elements", require);
+    check_positive(stent.n_ring_elements, "Stent/Ring elements", require);
+    check_positive(stent.n_elements_across_post, "Stent/Elements across post", require);
+    check_positive(stent.n_elements_up_post, "Stent/Elements up post", require);
+  }
+
+  double Design::half_angle() const
+  {
+    return dealii::numbers::PI / n_leaflets - std::asin(post_width / (2. * radius));
+  }
+
+  double Design::smallest_gap() const
+  {
+    return post_width / (2. * std::sin(dealii::numbers::PI / n_leaflets));
+  }
+} // namespace semilunar::valve

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/valve/boundary_curves.h>
+#include <semilunar/valve/leaflets.h>
+#include <semilunar/valve/refine.h>
+
+#include <numeric>
+
+namespace semilunar::valve
+{
+  using spline::ControlPoint;
+  using spline::NamedSet;
+  using spline::NurbsPatch;
+  using spline::Point;
+  using spline::SetKind;
+  using spline::Surface;
+
+  namespace
+  {
+    /// The belly's strength (V5) at a distance from the symmetry plane: 1 there, 0 from the given
+    /// width on, smooth between.
+    double bump(const double distance, const double width)
+    {
+      const double s = distance / width;
+      return s < 1. ? 1. - s * s * (3. - 2. * s) : 0.;
+    }
+
+    /// The four control points of the profile from the scallop to the free edge: the parabola
+    /// whose end tangents meet in the corner (V5), as a cubic.
+    std::array<Point<3>, 4> profile(const Point<3> &bottom, const Point<3> &corner,
+                                    const Point<3> &top)
+    {
+      return {{bottom, bottom + 2. / 3. * (corner - bottom), top + 2. / 3. * (corner - top), top}};
+    }
+
+    /// A straight line of constant speed; equal coordinates of its ends stay equal to the last bit.
+    std::array<Point<3>, 4> straight(const Point<3> &bottom, const Point<3> &top)
+    {
+      return {{bottom, bottom + 1. / 3. * (top - bottom), bottom + 2. / 3. * (top - bottom), top}};
+    }
+
+    /// The node sets of one leaflet.
+    std::vector<NamedSet> leaflet_sets(const NurbsPatch &patch)
+    {
+      const unsigned int n = patch.n_control_points(0), m = patch.n_control_points(1);
+      NamedSet attachment{SetKind::node, "attachment", {}};
+      NamedSet next{SetKind::node, "nextAttachment", {}};
+      NamedSet free_edge{SetKind::node, "freeEdge", {}};
+      for (unsigned int j = 0; j < m; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+        {
+          const unsigned int row = std::min({i, n - 1 - i, j});
+          if (row == 0)
+            attachment.members.push_back(j * n + i);
+          else if (row == 1)
+            next.members.push_back(j * n + i);
+          if (j == m - 1)
+            free_edge.members.push_back(j * n + i);
+        }
+      return {attachment, next, free_edge};
+    }
+
+    NamedSet all_members(const SetKind kind, const std::string &name, const unsigned int n)
+    {
+      NamedSet set{kind, name, std::vector<unsigned int>(n)};
+      std::iota(set.members.begin(), set.members.end(), 0u);
+      return set;
+    }
+  } // namespace
+
+  NurbsPatch leaflet_patch(const Design &design)
+  {
+    design.check();
+    const BoundaryCurves curves = boundary_curves(design);
+    const unsigned int n = curves.scallop.size();
+    std::vector<ControlPoint> net(4 * n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const Point<3> bottom = curves.scallop[i].position, top = curves.free_edge[i].position;
+      const Point<3> middle = bottom + 0.5 * (top - bottom);
+      const Point<3> below_edge(top[0], top[1], design.belly_height);
+      const double strength =
+          design.belly * bump(distance_from_middle(curves.knots, i), design.belly_width);
+      const bool at_post = i == 0 || i == n - 1;
+      const auto column = at_post ? straight(bottom, top)
+                                  : profile(bottom, middle + strength * (below_edge - middle), top);
+      for (unsigned int j = 0; j < 4; ++j)
+        net[j * n + i] = {column[j], curves.scallop[i].weight};
+    }
+    return NurbsPatch({{curves.knots, spline::KnotVector::uniform(3, 1)}}, net);
+  }
+
+  Surface leaflets(const Design &design)
+  {
+    NurbsPatch patch = leaflet_patch(design);
+    refine(patch, 0, design.n_elements_along);
+    refine(patch, 1, design.n_elements_across);
+
+    Surface all;
+    for (unsigned int k = 0; k < design.n_leaflets; ++k)
+    {
+      Surface leaflet = spline::to_surface(patch);
+      turn(leaflet.control_points, k, design.n_leaflets);
+      const std::string name = "leaflet" + std::to_string(k + 1);
+      leaflet.sets = leaflet_sets(patch);
+      leaflet.sets.push_back(all_members(SetKind::node, name, leaflet.control_points.size()));
+      leaflet.sets.push_back(all_members(SetKind::element, name, leaflet.elements.size()));
+      const double merge_nothing = -1.;
+      spline::append(all, leaflet, merge_nothing);
+    }
+    return all;
+  }
+} // namespace semilunar::valve

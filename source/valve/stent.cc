@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/spline/primitives.h>
+#include <semilunar/valve/boundary_curves.h>
+#include <semilunar/valve/refine.h>
+#include <semilunar/valve/stent.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <numeric>
+
+namespace semilunar::valve
+{
+  using spline::ControlPoint;
+  using spline::KnotVector;
+  using spline::NamedSet;
+  using spline::NurbsPatch;
+  using spline::SetKind;
+  using spline::Surface;
+
+  namespace
+  {
+    /// Common control points of two patches differ by round-off only, relative to R.
+    constexpr double merge_tolerance = 1e-10;
+
+    /// A spline curve.
+    struct Curve
+    {
+      KnotVector knots;
+      std::vector<ControlPoint> points;
+    };
+
+    Curve at_height(Curve curve, const double z)
+    {
+      for (ControlPoint &point : curve.points)
+        point.position[2] = z;
+      return curve;
+    }
+
+    /// Stretched from the axis, in its plane.
+    Curve stretched(Curve curve, const double factor)
+    {
+      for (ControlPoint &point : curve.points)
+        for (unsigned int d = 0; d < 2; ++d)
+          point.position[d] *= factor;
+      return curve;
+    }
+
+    /// The arc across the post behind the first leaflet's end at positive y, z = 0.
+    Curve post_arc(const Design &design)
+    {
+      const double begin = design.half_angle();
+      const double end = 2. * dealii::numbers::PI / design.n_leaflets - begin;
+      NurbsPatch strip = spline::cylinder(design.radius, begin, end, 0., 1.);
+      strip.elevate_degree(0, 3 - strip.knots(0).degree());
+      Curve arc{strip.knots(0), {}};
+      for (unsigned int i = 0; i < strip.n_control_points(0); ++i)
+        arc.points.push_back(strip.control_point(i, 0));
+      return arc;
+    }
+
+    /// The ruled cubic patch between two curves with the same knots and weights, (V7).
+    NurbsPatch ruled(const Curve &first, const Curve &second)
+    {
+      std::vector<ControlPoint> net;
+      for (unsigned int j = 0; j < 4; ++j)
+        for (unsigned int i = 0; i < first.points.size(); ++i)
+        {
+          const auto &a = first.points[i].position, &b = second.points[i].position;
+          net.push_back({j == 3 ? b : a + j / 3. * (b - a), first.points[i].weight});
+        }
+      return NurbsPatch({{first.knots, KnotVector::uniform(3, 1)}}, net);
+    }
+
+    /// How the edges and elements of a patch are called.
+    struct PatchNames
+    {
+      std::string elements;
+      std::string bottom, top, sides; ///< empty: not in a set
+    };
+
+    void add_edge(Surface &to, const Surface &from, const std::string &side,
+                  const std::string &name)
+    {
+      if (!name.empty())
+        to.sets.push_back({SetKind::node, name, from.find_set(SetKind::node, side)->members});
+    }
+
+    /// Refine the patch, name its parts and append a copy for each leaflet.
+    void add_copies(Surface &stent, NurbsPatch patch, const unsigned int n_first,
+                    const unsigned int n_second, const PatchNames &names, const Design &design)
+    {
+      refine(patch, 0, n_first);
+      refine(patch, 1, n_second);
+      const Surface unnamed = spline::to_surface(patch);
+      Surface named{unnamed.control_points, unnamed.elements, {}};
+      NamedSet elements{SetKind::element, names.elements,
+                        std::vector<unsigned int>(unnamed.elements.size())};
+      std::iota(elements.members.begin(), elements.members.end(), 0u);
+      named.sets.push_back(elements);
+      add_edge(named, unnamed, "bottom", names.bottom);
+      add_edge(named, unnamed, "top", names.top);
+      add_edge(named, unnamed, "left", names.sides);
+      add_edge(named, unnamed, "right", names.sides);
+
+      for (unsigned int k = 0; k < design.n_leaflets; ++k)
+      {
+        Surface copy = named;
+        turn(copy.control_points, k, design.n_leaflets);
+        spline::append(stent, copy, merge_tolerance * design.radius);
+      }
+    }
+  } // namespace
+
+  Surface stent(const Design &design)
+  {
+    design.check();
+    const auto &n = design.stent;
+    const BoundaryCurves curves = boundary_curves(design);
+    const Curve scallop{curves.knots, curves.scallop};
+    const Curve wall_foot = at_height(scallop, 0.), post_foot = post_arc(design);
+    const double ring = n.ring_outer_radius / design.radius;
+    const std::string edge = "leafletEdge", outer = "outerEdge";
+
+    Surface stent;
+    add_copies(stent, ruled(wall_foot, scallop), n.n_elements_along, n.n_wall_elements,
+               {"wall", "", edge, ""}, design);
+    add_copies(stent, ruled(post_foot, at_height(post_foot, design.post_foot_height)),
+               n.n_elements_across_post, n.n_wall_elements, {"posts", "", "", ""}, design);
+    add_copies(stent,
+               ruled(at_height(post_foot, design.post_foot_height),
+                     at_height(post_foot, design.commissure_height)),
+               n.n_elements_across_post, n.n_elements_up_post, {"posts", "", "", edge}, design);
+    // from outside inward, so that neighbours across the wall's foot have the same orientation
+    add_copies(stent, ruled(stretched(wall_foot, ring), wall_foot), n.n_elements_along,
+               n.n_ring_elements, {"ring", outer, "", ""}, design);
+    add_copies(stent, ruled(stretched(post_foot, ring), post_foot), n.n_elements_across_post,
+               n.n_ring_elements, {"ring", outer, "", ""}, design);
+    return stent;
+  }
+} // namespace semilunar::valve
