@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/nearest_name.h>
+#include <semilunar/core/parameters.h>
+#include <semilunar/scene/geometry.h>
+#include <semilunar/scene/registry.h>
+
+#include <algorithm>
+
+namespace semilunar::scene
+{
+  namespace
+  {
+    template <typename Kind>
+    SceneKind kind(const std::string &description)
+    {
+      return {description, []() { return std::make_unique<Kind>(); }};
+    }
+  } // namespace
+
+  const std::map<std::string, SceneKind> &scene_kinds()
+  {
+    static const std::map<std::string, SceneKind> kinds = {
+        {"geometry", kind<Geometry>("build a surface, check it, report on it and write it")},
+    };
+    return kinds;
+  }
+
+  std::vector<std::string> scene_kind_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &[name, kind] : scene_kinds())
+      names.push_back(name);
+    return names;
+  }
+
+  std::unique_ptr<Scene> declare_scene(const std::string &kind, const std::string &where,
+                                       dealii::ParameterHandler &prm)
+  {
+    const auto found = scene_kinds().find(kind);
+    if (found == scene_kinds().end())
+      throw InputError(where, kind, "there is no such kind of scene",
+                       suggest(kind, scene_kind_names()));
+    prm.declare_entry("Scene", kind, dealii::Patterns::Selection(kind),
+                      "Kind of scene: " + found->second.description + ".");
+    std::unique_ptr<Scene> scene = found->second.create();
+    scene->add_parameters(prm);
+    return scene;
+  }
+
+  std::vector<std::string> kinds_with_section(const std::string &path)
+  {
+    std::vector<std::string> kinds;
+    for (const std::string &kind : scene_kind_names())
+    {
+      dealii::ParameterHandler prm;
+      const std::unique_ptr<Scene> scene = declare_scene(kind, "", prm);
+      const std::vector<ParameterDescription> entries = list_parameters(prm);
+      if (std::any_of(entries.begin(), entries.end(),
+                      [&](const auto &entry) { return entry.path.rfind(path + "/", 0) == 0; }))
+        kinds.push_back(kind);
+    }
+    return kinds;
+  }
+} // namespace semilunar::scene

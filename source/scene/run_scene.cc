@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/interrupt.h>
+#include <semilunar/core/nearest_name.h>
+#include <semilunar/core/version.h>
+#include <semilunar/output/run_folder.h>
+#include <semilunar/output/summary.h>
+#include <semilunar/scene/registry.h>
+#include <semilunar/scene/run_scene.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace semilunar::scene
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    ParameterInput read_input(const CommandLine &command_line)
+    {
+      ParameterInput input = ParameterInput::read(command_line.scene_file);
+      for (const std::string &argument : command_line.overrides)
+        input.override_with(argument);
+      if (input.find("Scene") == nullptr)
+        throw InputError(command_line.scene_file, "", "the kind of scene is not set",
+                         "write 'set Scene = KIND', known are " + quoted_list(scene_kind_names()));
+      return input;
+    }
+
+    fs::path output_folder(const CommandLine &command_line)
+    {
+      if (!command_line.output_folder.empty())
+        return command_line.output_folder;
+      return fs::path("results") / fs::path(command_line.scene_file).stem();
+    }
+
+    void run_in_folder(Scene &scene, RunContext &context, const std::string &kind,
+                       const dealii::ParameterHandler &prm)
+    {
+      output::create_run_folder(context.folder);
+      output::write_parameters(context.folder, prm, version());
+      scene.run(context);
+      // Wherever the signal arrived: all ranks stop, or none.
+      if (dealii::Utilities::MPI::max(interrupted() ? 1 : 0, MPI_COMM_WORLD) == 1)
+        throw NumericsError("the run was interrupted",
+                            "step " + std::to_string(context.results.steps),
+                            context.folder.string());
+      output::write_summary(context.folder, {kind, context.results, context.timers.cost(),
+                                             context.timers.seconds(), version()});
+      context.log.line("done in " + duration(context.timers.cost().wall_seconds) + ", results in " +
+                       context.folder.string());
+    }
+
+    /// The scene files of a kind, relative to the current directory if they lie below it.
+    std::vector<std::string> scene_files(const std::string &kind)
+    {
+      std::vector<std::string> files;
+      std::error_code no_such_folder;
+      for (const auto &entry :
+           fs::recursive_directory_iterator(scene_file_folder(), no_such_folder))
+      {
+        if (entry.path().extension() != ".prm")
+          continue;
+        const ParameterInput input = ParameterInput::read(entry.path().string());
+        if (input.find("Scene") != nullptr && input.find("Scene")->value == kind)
+          files.push_back(fs::proximate(entry.path()).string());
+      }
+      std::sort(files.begin(), files.end());
+      return files;
+    }
+  } // namespace
+
+  void run_scene(const CommandLine &command_line)
+  {
+    const ParameterInput input = read_input(command_line);
+    const std::string kind = input.find("Scene")->value;
+    dealii::ParameterHandler prm;
+    const std::unique_ptr<Scene> scene = declare_scene(kind, input.locate("Scene"), prm);
+    assign(input, prm, kinds_with_section);
+
+    Log log(command_line.quiet);
+    Timers timers;
+    RunContext context{output_folder(command_line), command_line.dry_run, log, timers};
+    log.line(version());
+    catch_interrupts();
+    try
+    {
+      scene->check();
+      if (command_line.dry_run)
+      {
+        scene->run(context);
+        log.line("dry run: the scene can be built; nothing was written");
+      }
+      else
+        run_in_folder(*scene, context, kind, prm);
+    }
+    catch (const InputError &error)
+    {
+      throw error.at(input.locate(error.where()));
+    }
+  }
+
+  void list_scenes(std::ostream &out)
+  {
+    for (const auto &[name, kind] : scene_kinds())
+    {
+      out << name << ": " << kind.description << '\n';
+      for (const std::string &file : scene_files(name))
+        out << "  " << file << '\n';
+    }
+  }
+
+  void print_scene_parameters(const std::string &kind, const ParameterFormat format,
+                              std::ostream &out)
+  {
+    dealii::ParameterHandler prm;
+    const std::unique_ptr<Scene> scene = declare_scene(kind, "--print-parameters", prm);
+    print_parameters(prm, format, out);
+  }
+} // namespace semilunar::scene
