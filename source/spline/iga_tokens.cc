@@ -92,7 +92,8 @@ namespace semilunar::spline
   double IgaTokens::number(const char *expected)
   {
     const std::string_view word = token(expected);
-    const std::size_t sign = word.front() == '+' ? 1 : 0; // valid in C, not for from_chars
+    // a plus is valid in C, but not for from_chars
+    const std::size_t sign = word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0;
     const char *const end = word.data() + word.size();
     double result = 0.;
     const auto [stop, error] = std::from_chars(word.data() + sign, end, result);
