@@ -3,7 +3,7 @@
 
 #include <deal.II/base/config.h>
 
-#include <semilunar_build.h> // made by contrib/cmake/write_build_header.cmake
+#include <semilunar_build.h> // configured from contrib/cmake/semilunar_build.h.in
 
 namespace semilunar
 {
