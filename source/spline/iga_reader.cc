@@ -76,7 +76,12 @@ namespace semilunar::spline
       const unsigned int n = tokens.index("the number of functions");
       BezierElement element;
       for (unsigned int &degree : element.degree)
-        degree = tokens.index("the degree", max_degree + 1);
+      {
+        degree = tokens.index("a degree");
+        if (degree < 1 || degree > max_degree)
+          tokens.fail(std::to_string(degree), "the degree is not supported",
+                      "degrees from 1 to " + std::to_string(max_degree) + " are");
+      }
       tokens.end_of_line("n p q");
 
       tokens.next_line("the control points of the element");

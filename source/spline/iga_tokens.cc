@@ -122,7 +122,7 @@ namespace semilunar::spline
     const unsigned int result = index(expected);
     if (result >= bound)
       fail(std::to_string(result), std::string("out of range for ") + expected,
-           "0 to " + std::to_string(bound) + " - 1 is allowed");
+           "there are " + std::to_string(bound) + ", counted from 0");
     return result;
   }
 

@@ -46,7 +46,7 @@ namespace semilunar::spline
       for (const unsigned int i : element.control_points)
         if (i >= n_control_points)
           return Complaint{std::to_string(i), "there is no such control point",
-                           "indices run from 0 to " + std::to_string(n_control_points) + " - 1"};
+                           "there are " + std::to_string(n_control_points) + ", counted from 0"};
       const std::size_t expected = std::size_t(element.n_functions()) * element.n_bernstein();
       if (element.extraction.size() != expected)
         return Complaint{std::to_string(element.extraction.size()),
@@ -99,7 +99,7 @@ namespace semilunar::spline
         if (set.members[k] >= end)
           return Complaint{std::to_string(set.members[k]),
                            "set " + set.name + " has no such member",
-                           "indices run from 0 to " + std::to_string(end) + " - 1"};
+                           "there are " + std::to_string(end) + ", counted from 0"};
       }
       return {};
     }

@@ -31,8 +31,8 @@ namespace semilunar::spline
     SurfaceJet foot;   ///< position and derivatives there
   };
 
-  /// The point of the patch nearest to x: a damped Newton iteration on the squared distance with
-  /// bounds 0 <= xi <= 1, started at xi. Local minimum only: start near.
+  /// The point of the patch nearest to x: a damped Newton iteration on the squared distance, (S13),
+  /// with bounds 0 <= xi <= 1, started at xi. Local minimum only: start near. Allocates nothing.
   Projection project(const BezierPatch &patch, const Tensor<1, 3> &x, const Point<2> &xi);
 
   /// The point of the whole surface nearest to x (all elements, pruned by bounding boxes): for

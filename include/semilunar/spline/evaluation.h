@@ -24,7 +24,8 @@ namespace semilunar::spline
     std::array<std::vector<double>, n_derivatives> values;
   };
 
-  /// Evaluate all functions of the element and their first and second derivatives at xi.
+  /// Evaluate all functions of the element and their first and second derivatives at xi, (S3) to
+  /// (S5). Allocates nothing if basis was used for an element of as many functions before.
   void evaluate_basis(const Surface &surface, unsigned int element, const Point<2> &xi,
                       BasisValues &basis);
 

@@ -22,14 +22,16 @@ namespace semilunar::spline
     unsigned int n_functions() const { return t.size() - p - 1; }
     /// The distinct knots: boundaries of the elements.
     std::vector<double> breakpoints() const;
-    /// The averages of degree consecutive knots, one per function.
+    /// The averages of degree consecutive knots, one per function: with them as coefficients the
+    /// spline is the parameter itself.
     std::vector<double> greville_abscissae() const;
     /// The span [t_i, t_i+1) that holds x (the last non-empty one for the right end).
     unsigned int span(double x) const;
-    /// The degree + 1 functions that do not vanish on the span of x; function span - degree comes
-    /// first.
+    /// The degree + 1 functions that do not vanish on the span of x, (S6); function span - degree
+    /// comes first.
     std::vector<double> evaluate(double x) const;
-    /// One matrix per element, (p+1) x (p+1) row by row: local function a = sum_b C_ab Bernstein_b.
+    /// One matrix per element, (p+1) x (p+1) row by row: local function a = sum_b C_ab Bernstein_b,
+    /// (S8).
     std::vector<std::vector<double>> extraction_operators() const;
 
   private:
@@ -57,11 +59,15 @@ namespace semilunar::spline
 
     Point<3> evaluate(const Point<2> &u) const;
 
-    /// Exact: the surface does not change.
+    /// Insert knots, (S9). Exact: the surface does not change. @throws InputError for a knot that
+    /// is not inside or would be repeated more than degree times.
     void insert_knots(unsigned int direction, const std::vector<double> &values);
+    /// Raise the degree, (S10). Exact: the surface and its smoothness do not change.
     void elevate_degree(unsigned int direction, unsigned int times = 1);
-    /// Split elements (always the widest one, evenly) until there are n_elements; maximal
-    /// smoothness at new knots. @throws InputError if there are more elements already.
+    /// Divide elements evenly, always the one whose parts are the widest, until there are
+    /// n_elements; maximal smoothness at new knots. A symmetric knot vector stays so whenever that
+    /// is possible (an even n_elements, or an odd number of elements to begin with).
+    /// @throws InputError if there are more elements already.
     void refine_to(unsigned int direction, unsigned int n_elements);
 
   private:
@@ -69,9 +75,9 @@ namespace semilunar::spline
     std::vector<ControlPoint> net;
   };
 
-  /// Bezier extraction of a patch. Node sets: left, right (first direction's ends), bottom, top
-  /// (second direction's ends), and the next row inside of each: nextLeft, nextRight, nextBottom,
-  /// nextTop.
+  /// Bezier extraction of a patch, (S11); the control points keep their numbers. Node sets: left,
+  /// right (first direction's ends), bottom, top (second direction's ends), and the next row inside
+  /// of each: nextLeft, nextRight, nextBottom, nextTop.
   Surface to_surface(const NurbsPatch &patch);
 } // namespace semilunar::spline
 

@@ -6,9 +6,12 @@
 
 namespace semilunar::spline
 {
-  // Exact patches of simple shapes with a single element in each direction (two where an arc
-  // exceeds a half circle); elevate and refine them afterwards. Angles in radians, lengths in the
-  // scene's unit.
+  // Exact patches of simple shapes, (S12), with a single element in each direction; elevate and
+  // refine them afterwards. Straight directions have degree 1, arcs degree 2 up to 120 degrees and
+  // degree 3 above. An arc of more than a half circle consists of two elements, between which the
+  // basis is only C0: for a shell, make it of separate pieces instead. Angles in radians, between
+  // the ends at most 2 pi; lengths in the scene's unit. All throw InputError for a radius that is
+  // not positive, an empty angle, or one out of range.
 
   /// Bilinear: corners in the order (0,0), (1,0), (0,1), (1,1).
   NurbsPatch quadrilateral(const std::array<Point<3>, 4> &corners);

@@ -69,8 +69,9 @@ namespace semilunar::spline
   /// share a control point are connected), counted from 0 in the order of the elements.
   std::vector<unsigned int> connected_parts(const Surface &surface);
 
-  /// Append b to a; control points closer than the tolerance (and of equal weight) are merged.
-  /// A negative tolerance merges nothing. Sets of equal kind and name are united.
+  /// Append b to a; a control point of b that is not farther than the tolerance from one of a (and
+  /// has the same weight) is merged with the nearest one. A negative tolerance merges nothing. Sets
+  /// of equal kind and name are united. Cost linear in the sizes.
   void append(Surface &a, const Surface &b, double tolerance);
 
   /// Check partition of unity, index ranges, positive weights, finite numbers and sizes.
