@@ -78,10 +78,12 @@ namespace semilunar::shell
 
   void Contact::remember_undeformed_state()
   {
+    constexpr double rounding = 1e-10; // so that rounding does not close the undeformed gaps
     update(positions(surface));
     for (unsigned int i = 0; i < near.size(); ++i)
       if (details[i].foot.distance < distance)
-        undeformed_distances[{near[i].q, details[i].part}] = details[i].foot.distance;
+        undeformed_distances[{near[i].q, details[i].part}] =
+            (1. - rounding) * details[i].foot.distance;
     accept();
   }
 

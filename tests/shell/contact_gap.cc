@@ -3,6 +3,8 @@
 // conservation of momentum, and the equal treatment of the parts.
 #include <semilunar/core/exceptions.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include "../tests.h"
 #include "contact_cases.h"
 
@@ -143,8 +145,36 @@ namespace
           << std::endl;
   }
 
-  void bad_input()
+  /// A plate between two others touches both.
+  void sandwich()
   {
+    Surface surface = plate({0, 0, 0}, 1., 1., 3, 3);
+    append(surface, plate({0, 0, 0.04}, 1., 1., 2, 3), -1.);
+    const unsigned int end = surface.control_points.size();
+    Pair pair(surface, plate({0, 0, 0.08}, 1., 1., 3, 2), parameters());
+    const unsigned int begin = plate({0, 0, 0}, 1., 1., 3, 3).control_points.size();
+    for (unsigned int i = begin; i < end; ++i)
+      pair.x[i][2] -= 0.03;
+    pair.move_second(Tensor<1, 3>({0., 0., -0.06})); // gaps of 0.01 on both sides
+    const Vectors g = pair.gradient();
+    Tensor<1, 3> middle;
+    for (unsigned int i = begin; i < end; ++i)
+      middle += g[i];
+    check("plate between two others: force on it", middle[2] / pair.force()[2], 1e-12);
+    check("  force on the upper one", pair.force()[2] / (1e7 * (0.01 - 0.002)) - 1., 1e-11);
+  }
+
+  void user_input()
+  {
+    dealii::ParameterHandler prm;
+    ContactParameters read;
+    read.add_parameters(prm);
+    prm.parse_input_from_string("subsection Contact\n set Enabled = true\n set Distance = 0.03\n"
+                                " set Stiffness = 2e7\n set Smoothing = 0.002\n"
+                                " set Self distance = 0.2\nend\n");
+    log() << "parameters: " << read.enabled << " " << read.distance << " " << read.stiffness << " "
+          << read.smoothing << " " << read.self_distance << std::endl;
+
     ContactParameters p = parameters();
     p.self_distance = 0.01;
     const Surface surface = plate({0, 0, 0}, 1., 1., 1, 1);
@@ -166,5 +196,6 @@ int main()
   parallel_plates();
   known_distances();
   momentum_and_symmetry();
-  bad_input();
+  sandwich();
+  user_input();
 }
