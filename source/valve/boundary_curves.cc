@@ -69,7 +69,7 @@ namespace semilunar::valve
     }
 
     /// The rational function of the middle control point in the symmetry plane. Only its two
-    /// neighbours are non-zero there as well.
+    /// neighbors are non-zero there as well.
     double middle_function(const BoundaryCurves &curves)
     {
       const std::vector<double> N = curves.knots.evaluate(0.5);
@@ -81,16 +81,32 @@ namespace semilunar::valve
       return N[middle - first] * curves.scallop[middle].weight / sum;
     }
 
-    /// How far out the control points next to the tip of the V lie on its sides (V4), as a share of
-    /// their length: evenly spaced, but closer if the free edge would otherwise have to leave the
-    /// planes that keep it away from its neighbours.
-    double tip_share(const BoundaryCurves &curves, const Design &design, const double x_commissure,
-                     const double middle)
+    /// The rounding of the tip (V5).
+    struct TipRounding
     {
-      const double even = distance_from_middle(curves.knots, curves.scallop.size() / 2 + 1);
+      double neighbor_share; ///< lambda of the control points next to the middle
+      double rho;            ///< of the hyperbola
+      double pull;           ///< H, by which the edge stays off the corner of the V
+    };
+
+    /// As round as the published valve or, if the gap leaves less room, as the planes allow that
+    /// keep the edge away from its neighbors: first the hyperbola gets sharper, then the control
+    /// points next to the tip come closer.
+    TipRounding tip_rounding(const BoundaryCurves &curves, const Design &design,
+                             const double x_commissure)
+    {
+      constexpr double published_pull = 0.08;
       const double room = design.free_edge_gap - design.smallest_gap();
-      const double depth = (1. - middle) * (x_commissure - design.smallest_gap());
-      return depth * even > room ? room / depth : even;
+      const double depth = x_commissure - design.smallest_gap();
+      const double H = depth * published_pull > room ? room / depth : published_pull;
+
+      const double a = middle_function(curves), b = 1. - a;
+      const double even = distance_from_middle(curves.knots, curves.scallop.size() / 2 + 1);
+      if (H < b * even)
+        return {H / b, 0., H};
+      // the root of a rho + b h(even) = H
+      const double A = b * b * (1. - even * even) - a * a, C = b * b * even * even - H * H;
+      return {even, -C / (a * H + std::sqrt(a * a * H * H - A * C)), H};
     }
 
     void add_free_edge(BoundaryCurves &curves, const Design &design)
@@ -102,19 +118,21 @@ namespace semilunar::valve
       const Point<3> between(commissure[0], 0., commissure[2]);
       const Point<3> tip(design.free_edge_gap, 0., design.free_edge_height);
 
-      const double middle = middle_function(curves);
-      const double share = tip_share(curves, design, commissure[0], middle);
-      const double pull = (1. - middle) * share; // of the neighbours on the curve's middle
-      const Point<3> corner = tip + pull / (1. - pull) * (tip - between);
-
+      const TipRounding rounding = tip_rounding(curves, design, commissure[0]);
+      const Point<3> corner = tip + rounding.pull / (1. - rounding.pull) * (tip - between);
       const double even = distance_from_middle(curves.knots, n / 2 + 1);
       for (unsigned int i = 0; i < n; ++i)
       {
         const double s = distance_from_middle(curves.knots, i);
-        const double along = i == n / 2 ? 0. : 1. - (1. - share) * (1. - s) / (1. - even);
-        curves.free_edge.push_back(
-            {commissure + (1. - along) * (corner - commissure), curves.scallop[i].weight});
+        const double along =
+            i == n / 2 ? 0. : 1. - (1. - rounding.neighbor_share) * (1. - s) / (1. - even);
+        const double up =
+            std::sqrt(along * along + rounding.rho * rounding.rho * (1. - along * along));
+        Point<3> point = corner + up * (between - corner);
+        point[1] = along * commissure[1];
+        curves.free_edge.push_back({point, curves.scallop[i].weight});
       }
+      curves.free_edge.front().position = commissure;
       mirror(curves.free_edge);
     }
   } // namespace

@@ -45,8 +45,8 @@ namespace semilunar::valve
       prm.add_parameter("Nadir height", d.nadir_height,
                         "z at the lowest point of the scallop [cm], > 0", Patterns::Double(0.));
       prm.add_parameter("Post width", d.post_width,
-                        "Distance between the commissure lines of neighbouring leaflets [cm], > 0; "
-                        "neighbours keep at least this distance everywhere",
+                        "Distance between the commissure lines of neighboring leaflets [cm], > 0; "
+                        "neighbors keep at least this distance everywhere",
                         Patterns::Double(0.));
       prm.add_parameter("Free edge height", d.free_edge_height,
                         "z of the middle of the free edge [cm], above the nadir",
@@ -151,14 +151,14 @@ namespace semilunar::valve
               "choose more than the nadir height, " + text(d.nadir_height));
       const double smallest = rounding_margin * d.smallest_gap();
       require(d.free_edge_gap >= smallest, "Free edge gap", d.free_edge_gap,
-              "neighbouring leaflets would come closer than the post width",
+              "neighboring leaflets would come closer than the post width",
               "choose at least " + text(smallest) + " or smaller posts");
       require(d.free_edge_gap <= largest_gap_share * d.radius, "Free edge gap", d.free_edge_gap,
               "the free edge would lie at the wall",
               "choose at most " + text(largest_gap_share * d.radius));
       require(d.belly >= 0. && d.belly <= 1., "Belly", d.belly, "out of range", "choose 0 to 1");
       require(d.belly_height >= -d.radius && d.belly_height < d.free_edge_height, "Belly height",
-              d.belly_height, "the leaflet would fold",
+              d.belly_height, "the belly would lie above the free edge or far below the valve",
               "choose from " + text(-d.radius) + " to below the free edge height, " +
                   text(d.free_edge_height));
       require(d.belly_width >= smallest_belly_width && d.belly_width <= 1., "Belly width",

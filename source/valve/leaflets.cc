@@ -16,7 +16,7 @@ namespace semilunar::valve
 
   namespace
   {
-    /// The belly's strength (V5) at a distance from the symmetry plane: 1 there, 0 from the given
+    /// The belly's strength (V6) at a distance from the symmetry plane: 1 there, 0 from the given
     /// width on, smooth between.
     double bump(const double distance, const double width)
     {
@@ -25,7 +25,7 @@ namespace semilunar::valve
     }
 
     /// The four control points of the profile from the scallop to the free edge: the parabola
-    /// whose end tangents meet in the corner (V5), as a cubic.
+    /// whose end tangents meet in the corner (V6), as a cubic.
     std::array<Point<3>, 4> profile(const Point<3> &bottom, const Point<3> &corner,
                                     const Point<3> &top)
     {

@@ -131,7 +131,7 @@ namespace semilunar::valve
                ruled(at_height(post_foot, design.post_foot_height),
                      at_height(post_foot, design.commissure_height)),
                n.n_elements_across_post, n.n_elements_up_post, {"posts", "", "", edge}, design);
-    // from outside inward, so that neighbours across the wall's foot have the same orientation
+    // from outside inward, so that neighbors across the wall's foot have the same orientation
     add_copies(stent, ruled(stretched(wall_foot, ring), wall_foot), n.n_elements_along,
                n.n_ring_elements, {"ring", outer, "", ""}, design);
     add_copies(stent, ruled(stretched(post_foot, ring), post_foot), n.n_elements_across_post,

@@ -21,11 +21,11 @@ namespace semilunar::valve
     double commissure_height = 0.94;     ///< z at the top of the posts
     double post_foot_height = 0.33;      ///< z where the post turns into the scallop
     double nadir_height = 0.096;         ///< z at the lowest point of the scallop
-    double post_width = 0.031;           ///< distance of neighbouring leaflets' commissure lines
+    double post_width = 0.031;           ///< distance of neighboring leaflets' commissure lines
     double free_edge_height = 0.852;     ///< z of the free edge's middle
     double free_edge_gap = 0.033;        ///< distance of the free edge's middle from the axis
     double belly = 1.;                   ///< 0: straight ruling, 1: full belly
-    double belly_height = -0.1;          ///< z of the corner of the middle profile (V5)
+    double belly_height = -0.1;          ///< z of the corner of the middle profile (V6)
     double belly_width = 0.75;           ///< share of the leaflet's width that the belly takes
     unsigned int n_elements_along = 22;  ///< from commissure to commissure
     unsigned int n_elements_across = 22; ///< from attachment to free edge
@@ -52,7 +52,7 @@ namespace semilunar::valve
     double half_angle() const;
 
     /// Distance from the axis at which the two planes that keep the leaflet half a post width away
-    /// from its neighbours meet [cm], (V3). The free edge's middle must lie further out.
+    /// from its neighbors meet [cm], (V3). The free edge's middle must lie further out.
     double smallest_gap() const;
   };
 } // namespace semilunar::valve

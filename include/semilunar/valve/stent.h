@@ -8,7 +8,7 @@
 namespace semilunar::valve
 {
   /// The stent as one watertight surface: the wall r = R between z = 0 and the scallops, the posts
-  /// between neighbouring leaflets up to the commissures, and the suture ring, the annulus z = 0
+  /// between neighboring leaflets up to the commissures, and the suture ring, the annulus z = 0
   /// outside of the wall. Patches share control points along common edges; the wall's upper edge is
   /// the leaflets' scallop, the posts' sides are the leaflets' commissure lines. a_1 x a_2 points
   /// outward on wall and posts and to +z on the ring. Element sets: `wall`, `posts`, `ring`.
