@@ -4,6 +4,8 @@
 #include <semilunar/scene/surface_source.h>
 #include <semilunar/spline/iga_file.h>
 #include <semilunar/spline/primitives.h>
+#include <semilunar/valve/leaflets.h>
+#include <semilunar/valve/stent.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
@@ -21,6 +23,12 @@ namespace semilunar::scene
                          dealii::Utilities::to_string(range[0]) + ", " +
                              dealii::Utilities::to_string(range[1]),
                          "the range is empty", "give the smaller number first");
+    }
+
+    void scale_coordinates(spline::Surface &surface, const double factor)
+    {
+      for (spline::ControlPoint &point : surface.control_points)
+        point.position *= factor;
     }
 
     /// The mistakes that @p build finds, with the entry that causes them.
@@ -47,6 +55,8 @@ namespace semilunar::scene
         throw InputError("Surface/File", "", "is not set", "name an .iga file");
       surface = spline::read_iga(file, scale);
     }
+    else if (source == "leaflets" || source == "stent" || source == "valve")
+      surface = parts_of_valve();
     else
       surface = patch();
     spline::check(surface, "Surface");
@@ -58,8 +68,20 @@ namespace semilunar::scene
     spline::NurbsPatch patch = source == "nurbs" ? nurbs_patch() : simple_shape();
     elevate_and_refine(patch);
     spline::Surface surface = spline::to_surface(patch);
-    for (spline::ControlPoint &point : surface.control_points)
-      point.position *= scale;
+    scale_coordinates(surface, scale);
+    return surface;
+  }
+
+  spline::Surface SurfaceSource::parts_of_valve() const
+  {
+    design.check("Surface/Valve");
+    spline::Surface surface;
+    const double merge_nothing = -1.;
+    if (source != "stent")
+      spline::append(surface, valve::leaflets(design), merge_nothing);
+    if (source != "leaflets")
+      spline::append(surface, valve::stent(design), merge_nothing);
+    scale_coordinates(surface, scale);
     return surface;
   }
 

@@ -33,14 +33,17 @@ namespace semilunar::scene
     prm.enter_subsection("Surface");
     prm.add_parameter("Source", source,
                       "Where the surface comes from: one of the simple shapes, a NURBS patch or "
-                      "an .iga file. The section of that name describes it.",
-                      Patterns::Selection("quadrilateral|cylinder|sphere|annulus|nurbs|iga"));
+                      "an .iga file, each described by the section of that name, or the leaflets, "
+                      "the stent or both (valve) of the design in section Valve.",
+                      Patterns::Selection("quadrilateral|cylinder|sphere|annulus|leaflets|stent|"
+                                          "valve|nurbs|iga"));
     prm.add_parameter("Degree", degree,
                       "Polynomial degree in both directions, raised to this one without a change "
-                      "of shape (not for iga).",
+                      "of shape (not for iga and the parts of a valve, which are cubic).",
                       Patterns::Integer(1, 8));
     prm.add_parameter("Elements", n_elements,
-                      "Number of elements in the first and the second direction (not for iga).",
+                      "Number of elements in the first and the second direction (not for iga and "
+                      "the parts of a valve, which have entries of their own).",
                       pair_of(Patterns::Integer(1, 10000)));
     prm.add_parameter("Scale factor", scale,
                       "All coordinates are multiplied by this, as with 0.1 for a file in mm in a "
@@ -72,6 +75,10 @@ namespace semilunar::scene
     prm.add_parameter("Radii", annulus_radii, "Inner and outer radius about the origin [length].",
                       pair_of(positive_number()));
     prm.add_parameter("Angles", annulus_angles, angles_text, pair_of(Patterns::Double(-360, 360)));
+    prm.leave_subsection();
+
+    prm.enter_subsection("Valve");
+    design.add_parameters(prm);
     prm.leave_subsection();
 
     prm.enter_subsection("NURBS");

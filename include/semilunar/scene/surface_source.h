@@ -3,13 +3,14 @@
 #define semilunar_scene_surface_source_h
 
 #include <semilunar/spline/nurbs_patch.h>
+#include <semilunar/valve/design.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 namespace semilunar::scene
 {
-  /// Where the surface of a scene comes from: a simple shape, a NURBS patch given by its control
-  /// net, or an .iga file.
+  /// Where the surface of a scene comes from: a simple shape, a valve design, a NURBS patch given
+  /// by its control net, or an .iga file.
   class SurfaceSource
   {
   public:
@@ -26,6 +27,7 @@ namespace semilunar::scene
     spline::NurbsPatch simple_shape() const;
     spline::NurbsPatch nurbs_patch() const;
     spline::Surface patch() const;
+    spline::Surface parts_of_valve() const;
     void elevate_and_refine(spline::NurbsPatch &patch) const;
 
     std::string source = "quadrilateral";
@@ -43,6 +45,8 @@ namespace semilunar::scene
     Range latitudes{{0., 72.}};  ///< degrees
     Range annulus_radii{{1., 2.}};
     Range annulus_angles{{0., 90.}}; ///< degrees
+
+    valve::Design design;
 
     std::array<unsigned int, 2> nurbs_degrees{{1, 1}};
     std::array<std::vector<double>, 2> nurbs_knots{{{0, 0, 1, 1}, {0, 0, 1, 1}}};
