@@ -28,4 +28,11 @@ namespace semilunar
             (last_good_state.empty() ? "" : "; the last good state is in " + last_good_state))
   {
   }
+
+  NumericsError::NumericsError(const std::string &message) : std::runtime_error(message) {}
+
+  NumericsError NumericsError::after(const std::string &last_good_state) const
+  {
+    return NumericsError(std::string(what()) + "; the last good state is in " + last_good_state);
+  }
 } // namespace semilunar

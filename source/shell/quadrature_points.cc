@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
 #include <semilunar/shell/quadrature_points.h>
+#include <semilunar/shell/tangent_frame.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -10,50 +11,18 @@ namespace semilunar::shell
 
   namespace
   {
-    /// Orthonormal frame of the tangent plane and the linear map from derivatives with respect to
-    /// xi to those with respect to the lengths s along it.
-    struct TangentFrame
-    {
-      std::array<Tensor<1, 3>, 2> e;
-      double area;   ///< |a_1 x a_2|
-      double d1_ds1; ///< d xi_1 / d s_1
-      double d1_ds2; ///< d xi_1 / d s_2
-      double d2_ds2; ///< d xi_2 / d s_2
-    };
-
-    /// Equations (Q1) and (Q2).
-    TangentFrame tangent_frame(const Tensor<1, 3> &a1, const Tensor<1, 3> &a2)
-    {
-      TangentFrame frame;
-      const double length = a1.norm();
-      frame.e[0] = a1 / length;
-      const double along = a2 * frame.e[0];
-      const Tensor<1, 3> across = a2 - along * frame.e[0];
-      const double height = across.norm();
-      frame.e[1] = across / height;
-      frame.area = length * height;
-      frame.d1_ds1 = 1. / length;
-      frame.d1_ds2 = -along / (length * height);
-      frame.d2_ds2 = 1. / height;
-      return frame;
-    }
-
-    /// Equation (Q3): replace derivatives with respect to xi by those with respect to s, for n
-    /// functions, written to rows of the given stride.
+    /// Write the functions and their derivatives with respect to s to rows of the given stride.
     void transform(const BasisValues &basis, const TangentFrame &frame, const unsigned int n,
                    const unsigned int stride, double *row)
     {
-      const double t11 = frame.d1_ds1, t21 = frame.d1_ds2, t22 = frame.d2_ds2;
       for (unsigned int a = 0; a < n; ++a)
       {
-        const double r11 = basis.values[d11][a], r22 = basis.values[d22][a],
-                     r12 = basis.values[d12][a];
-        row[value * stride + a] = basis.values[value][a];
-        row[d1 * stride + a] = t11 * basis.values[d1][a];
-        row[d2 * stride + a] = t21 * basis.values[d1][a] + t22 * basis.values[d2][a];
-        row[d11 * stride + a] = t11 * t11 * r11;
-        row[d22 * stride + a] = t21 * t21 * r11 + 2. * t21 * t22 * r12 + t22 * t22 * r22;
-        row[d12 * stride + a] = t11 * (t21 * r11 + t22 * r12);
+        std::array<double, n_derivatives> jet;
+        for (unsigned int d = 0; d < n_derivatives; ++d)
+          jet[d] = basis.values[d][a];
+        jet = frame.transform(jet);
+        for (unsigned int d = 0; d < n_derivatives; ++d)
+          row[d * stride + a] = jet[d];
       }
     }
 
@@ -100,7 +69,7 @@ namespace semilunar::shell
       a1 += basis.values[d1][a] * position;
       a2 += basis.values[d2][a] * position;
     }
-    const TangentFrame frame = tangent_frame(a1, a2);
+    const TangentFrame frame(a1, a2);
     check_tangent_plane(frame, a1, a2, element);
 
     elements.push_back(element);

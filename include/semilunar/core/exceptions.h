@@ -41,6 +41,12 @@ namespace semilunar
     /// @param last_good_state  where the last accepted state lies ("" if there is none)
     NumericsError(const std::string &what, const std::string &when,
                   const std::string &last_good_state);
+
+    /// The same failure where the last good state is known.
+    NumericsError after(const std::string &last_good_state) const;
+
+  private:
+    explicit NumericsError(const std::string &message);
   };
 } // namespace semilunar
 

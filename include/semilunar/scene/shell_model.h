@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_shell_model_h
+#define semilunar_scene_shell_model_h
+
+#include <semilunar/shell/equilibrium.h>
+#include <semilunar/shell/loads.h>
+#include <semilunar/shell/section_parameters.h>
+#include <semilunar/shell/supports.h>
+
+#include <memory>
+
+namespace semilunar::scene
+{
+  /// Everything but the surface that makes a shell.
+  struct ShellParameters
+  {
+    shell::SectionParameters section;
+    shell::SupportParameters supports;
+    shell::LoadParameters loads;
+    shell::ContactParameters contact;
+
+    void add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// A shell, built from a surface and parameters. Replicated on all MPI ranks.
+  class ShellModel
+  {
+  public:
+    /// @throws InputError for parameters that do not fit the surface
+    ShellModel(spline::Surface surface, const ShellParameters &parameters);
+    ShellModel(const ShellModel &) = delete;
+
+    const spline::Surface surface;
+    const std::unique_ptr<const shell::Section> section;
+    const shell::QuadraturePoints points;
+    const shell::Equations equations;
+    const shell::Assembly assembly;
+    const std::unique_ptr<shell::Contact> contact; ///< null if there is none
+    const shell::ControlVectors dead_forces;
+    shell::Equilibrium equilibrium;
+  };
+
+  /// The largest in-plane principal Green-Lagrange strain over all quadrature points of a face.
+  struct LargestStrain
+  {
+    double value;
+    unsigned int q; ///< quadrature point
+  };
+  /// @param face +1 for the face the normal points to, -1 for the other
+  LargestStrain largest_strain(const ShellModel &model, const shell::ControlVectors &x, int face);
+} // namespace semilunar::scene
+
+#endif

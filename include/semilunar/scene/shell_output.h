@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_shell_output_h
+#define semilunar_scene_shell_output_h
+
+#include <semilunar/output/pvd.h>
+#include <semilunar/output/surface_vtu.h>
+#include <semilunar/scene/shell_model.h>
+
+#include <filesystem>
+
+namespace semilunar::scene
+{
+  /// Writes states of a shell as shell-0001.vtu, ... and the collection shell.pvd: displacement,
+  /// largest principal strain on both faces (mipe on the face the normal points to, mipe_back on
+  /// the other), membrane forces, and contact pressure and gap.
+  class ShellOutput
+  {
+  public:
+    ShellOutput(const std::filesystem::path &folder, const ShellModel &model,
+                const output::SurfaceVtuParameters &parameters);
+
+    /// Write the state with control points at x. Collective.
+    /// @param time of the collection: the time, or the load factor
+    /// @return name of the file
+    std::string write(double time, const shell::ControlVectors &x);
+
+  private:
+    const std::filesystem::path folder;
+    const ShellModel &model;
+    const output::SurfaceVtuParameters parameters;
+    output::PvdCollection collection;
+    unsigned int n_written = 0;
+
+    std::vector<output::SurfaceField> fields(const shell::ControlVectors &x) const;
+    output::SurfaceField quadrature_field(const std::string &name,
+                                          const std::vector<double> &values) const;
+  };
+} // namespace semilunar::scene
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_valve_closure_h
+#define semilunar_scene_valve_closure_h
+
+#include <semilunar/scene/scene.h>
+#include <semilunar/scene/static_analysis.h>
+#include <semilunar/valve/design.h>
+
+namespace semilunar::scene
+{
+  /// The leaflets of a valve design under static pressure, touching each other.
+  class ValveClosure : public Scene
+  {
+  public:
+    void add_parameters(dealii::ParameterHandler &prm) override;
+    void check() const override;
+    void run(RunContext &context) override;
+
+  private:
+    valve::Design design;
+    StaticAnalysis analysis;
+
+    void add_quantities(ShellModel &model, const shell::ControlVectors &x,
+                        RunResults &results) const;
+  };
+} // namespace semilunar::scene
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_shell_equilibrium_h
+#define semilunar_shell_equilibrium_h
+
+#include <semilunar/shell/assembly.h>
+#include <semilunar/shell/contact.h>
+#include <semilunar/shell/equations.h>
+#include <semilunar/shell/nonlinear_system.h>
+#include <semilunar/shell/sparse_system.h>
+
+namespace semilunar::shell
+{
+  /// Static equilibrium of a shell under follower pressure, dead forces, prescribed displacements
+  /// and contact, all but contact proportional to the load factor.
+  class Equilibrium : public NonlinearSystem
+  {
+  public:
+    /// @param pressure    follower pressure at load factor one
+    /// @param dead_forces on the control points at load factor one
+    /// @param contact     may be null
+    Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
+                const Equations &equations, const Assembly &assembly, double pressure,
+                const ControlVectors &dead_forces, Contact *contact);
+
+    unsigned int n_unknowns() const override { return equations.n_equations(); }
+    double residual(const Vector &u, double load, Vector &r) override;
+    void linearize(const Vector &u, double load, double shift) override;
+    void solve(Vector &right_hand_side) const override { matrix.solve(right_hand_side); }
+    const Vector &lumped_area() const override { return area; }
+    void load_derivative(const Vector &u, double load, Vector &derivative) override;
+    double largest_change() const override;
+    void accept(const Vector &u, double load) override;
+
+    /// Positions of the control points.
+    ControlVectors positions(const Vector &u, double load) const;
+    /// Strain energy at the last residual().
+    double strain_energy() const { return energy; }
+
+  private:
+    const Equations &equations;
+    const Assembly &assembly;
+    const double pressure;
+    const ControlVectors &dead_forces;
+    Contact *const contact;
+    const ControlVectors undeformed;
+    SparseSystem matrix;
+    Vector area;
+    const double load_norm; // of the external forces at load factor one
+    double energy = 0.;
+    std::vector<std::pair<unsigned int, unsigned int>> element_pairs() const;
+    const QuadraturePoints &points;
+  };
+} // namespace semilunar::shell
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_shell_newton_h
+#define semilunar_shell_newton_h
+
+#include <semilunar/shell/nonlinear_system.h>
+
+#include <functional>
+#include <string>
+
+namespace semilunar::shell
+{
+  struct IterationParameters
+  {
+    double tolerance = 1e-8; ///< of the residual's norm relative to the forces
+    unsigned int max_iterations = 30;
+    std::function<bool()> interrupted = [] { return false; }; ///< polled once per iteration
+  };
+
+  struct IterationResult
+  {
+    bool converged = false;
+    unsigned int iterations = 0;
+    double residual = 0.; ///< relative
+    std::string failure;  ///< why it did not converge
+  };
+
+  /// Newton's method with a line search on the work of the residual along the step; keeps every
+  /// change below largest_change(). On failure u is where it was when called.
+  IterationResult solve_newton(NonlinearSystem &system, double load, NonlinearSystem::Vector &u,
+                               const IterationParameters &parameters);
+
+  /// Pseudo-transient continuation: linearly implicit steps of the overdamped motion M du/dt =
+  /// -r(u) whose length follows from how well the linearisation predicts the residual; ends as
+  /// Newton's method. Finds a stable equilibrium where Newton's method wanders: contact, buckling.
+  /// On failure u is where it was.
+  IterationResult solve_pseudo_transient(NonlinearSystem &system, double load,
+                                         NonlinearSystem::Vector &u,
+                                         const IterationParameters &parameters);
+} // namespace semilunar::shell
+
+#endif

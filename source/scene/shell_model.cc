@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/scene/shell_model.h>
+
+#include <limits>
+
+namespace semilunar::scene
+{
+  void ShellParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    section.add_parameters(prm);
+    supports.add_parameters(prm);
+    loads.add_parameters(prm);
+    contact.add_parameters(prm);
+  }
+
+  ShellModel::ShellModel(spline::Surface given_surface, const ShellParameters &parameters)
+      : surface(std::move(given_surface)), section(parameters.section.make_section()),
+        points(surface), equations(make_equations(surface, parameters.supports)),
+        assembly(surface, points, *section,
+                 [section = parameters.section](const auto &position, const auto &frame)
+                 { return fibre_direction(section, position, frame); }),
+        contact(parameters.contact.enabled
+                    ? std::make_unique<shell::Contact>(surface, points, parameters.contact)
+                    : nullptr),
+        dead_forces(shell::dead_forces(surface, points, parameters.loads,
+                                       parameters.section.density * parameters.section.thickness)),
+        equilibrium(surface, points, equations, assembly, parameters.loads.follower_pressure(),
+                    dead_forces, contact.get())
+  {
+  }
+
+  LargestStrain largest_strain(const ShellModel &model, const shell::ControlVectors &x,
+                               const int face)
+  {
+    const double xi = 0.5 * face * model.section->thickness();
+    LargestStrain largest{-std::numeric_limits<double>::infinity(), 0};
+    for (unsigned int q = 0; q < model.points.n_points(); ++q)
+    {
+      const double strain = principal_strains(model.assembly.section_strain(x, q), xi)[0];
+      if (strain > largest.value)
+        largest = {strain, q};
+    }
+    return largest;
+  }
+} // namespace semilunar::scene

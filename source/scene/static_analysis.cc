@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/interrupt.h>
+#include <semilunar/output/time_series.h>
+#include <semilunar/scene/probes.h>
+#include <semilunar/scene/shell_output.h>
+#include <semilunar/scene/static_analysis.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace semilunar::scene
+{
+  namespace
+  {
+    std::vector<output::TimeSeries::Column> columns(const Probes &probes)
+    {
+      std::vector<output::TimeSeries::Column> all = {
+          {"load_factor", "-"}, {"iterations", "-"},    {"residual", "-"},
+          {"max_mipe", "-"},    {"max_mipe_back", "-"}, {"largest_penetration", "length"}};
+      const auto more = probes.columns();
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    }
+
+    std::vector<double> row(const shell::LoadStep &step, const ShellModel &model,
+                            const shell::ControlVectors &x, const Probes &probes)
+    {
+      std::vector<double> all = {step.load,
+                                 double(step.iterations),
+                                 step.residual,
+                                 largest_strain(model, x, 1).value,
+                                 largest_strain(model, x, -1).value,
+                                 model.contact ? model.contact->largest_penetration()
+                                               : std::nan("")};
+      const auto more = probes.displacements(x);
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    }
+
+    std::string describe(const shell::LoadStep &step)
+    {
+      std::ostringstream text;
+      text << "step " << step.number << ": load factor " << step.load << ", " << step.iterations
+           << " " << step.method << " iterations, residual " << step.residual;
+      return text.str();
+    }
+
+    void report_size(const ShellModel &model, Log &log)
+    {
+      log.line(std::to_string(model.surface.elements.size()) + " elements, " +
+               std::to_string(model.surface.control_points.size()) + " control points, " +
+               std::to_string(model.equations.n_equations()) + " equations, " +
+               std::to_string(model.points.n_points()) + " quadrature points");
+    }
+
+    void add_quantities(const ShellModel &model, const shell::ControlVectors &x,
+                        const Probes &probes, RunResults &results)
+    {
+      const LargestStrain front = largest_strain(model, x, 1), back = largest_strain(model, x, -1);
+      const LargestStrain &all = front.value > back.value ? front : back;
+      const spline::SurfacePoint place{model.points.element(all.q), model.points.xi(all.q)};
+      const auto position = spline::evaluate(model.surface, place)[spline::value];
+      auto &quantities = results.quantities;
+      quantities.insert(quantities.end(),
+                        {{"max_mipe", all.value, "-"},
+                         {"max_mipe_front", front.value, "-"},
+                         {"max_mipe_back", back.value, "-"},
+                         {"max_mipe_x", position[0], "length"},
+                         {"max_mipe_y", position[1], "length"},
+                         {"max_mipe_z", position[2], "length"},
+                         {"strain_energy", model.equilibrium.strain_energy(), "force*length"},
+                         {"equations", double(model.equations.n_equations()), "-"}});
+      probes.add_quantities(x, results);
+    }
+  } // namespace
+
+  void StaticAnalysis::add_parameters(dealii::ParameterHandler &prm)
+  {
+    shell.add_parameters(prm);
+    solver.add_parameters(prm);
+    prm.enter_subsection("Output");
+    vtu.add_parameters(prm);
+    prm.add_parameter("Probes", probes,
+                      "Points whose displacement is recorded, 'NAME: (x, y, z)', separated by "
+                      "semicolons; the nearest point of the undeformed surface is taken.");
+    prm.leave_subsection();
+  }
+
+  shell::ControlVectors StaticAnalysis::run(ShellModel &model, RunContext &context) const
+  {
+    const Probes points(probes, model.surface, "Output/Probes");
+    report_size(model, context.log);
+    shell::Equilibrium::Vector u(model.equations.n_equations());
+    if (context.dry_run)
+      return model.equilibrium.positions(u, 0.);
+
+    output::TimeSeries series(context.folder, columns(points));
+    ShellOutput files(context.folder, model, vtu);
+    std::string last_file = files.write(0., model.equilibrium.positions(u, 0.));
+    shell::ControlVectors x = spline::positions(model.surface);
+    const auto accepted = [&](const shell::LoadStep &step, const shell::Equilibrium::Vector &state)
+    {
+      const Timers::Scope timer(context.timers, "output");
+      x = model.equilibrium.positions(state, step.load);
+      last_file = files.write(step.load, x);
+      series.add_row(row(step, model, x, points));
+      context.results.steps = step.number;
+      context.log.line(describe(step));
+      context.log.progress("loading", step.load);
+    };
+    try
+    {
+      const Timers::Scope timer(context.timers, "solve");
+      context.results.newton_iterations =
+          solve_static(model.equilibrium, u, solver, {accepted, interrupted});
+    }
+    catch (const NumericsError &error)
+    {
+      throw error.after((context.folder / last_file).string());
+    }
+    add_quantities(model, x, points, context.results);
+    return x;
+  }
+} // namespace semilunar::scene

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/scene/valve_closure.h>
+#include <semilunar/valve/leaflets.h>
+#include <semilunar/valve/orifice.h>
+#include <semilunar/valve/symmetry.h>
+
+#include <limits>
+#include <numeric>
+
+namespace semilunar::scene
+{
+  namespace
+  {
+    /// Vertical extent of the points that carry contact pressure.
+    double coaptation_height(const ShellModel &model, const shell::ControlVectors &x)
+    {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      spline::BasisValues basis;
+      for (const auto &point : model.contact->contact_points())
+        if (point.pressure > 0.)
+        {
+          const auto &element = model.surface.elements[model.points.element(point.q)];
+          const double *R = model.points.basis(point.q, spline::value);
+          double z = 0.;
+          for (unsigned int a = 0; a < element.n_functions(); ++a)
+            z += R[a] * x[element.control_points[a]][2];
+          low = std::min(low, z);
+          high = std::max(high, z);
+        }
+      return std::max(0., high - low);
+    }
+  } // namespace
+
+  void ValveClosure::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Valve");
+    design.add_parameters(prm);
+    prm.leave_subsection();
+    analysis.add_parameters(prm);
+  }
+
+  void ValveClosure::check() const
+  {
+    design.check();
+  }
+
+  void ValveClosure::run(RunContext &context)
+  {
+    std::unique_ptr<ShellModel> model;
+    {
+      const Timers::Scope timer(context.timers, "set-up");
+      model = std::make_unique<ShellModel>(valve::leaflets(design), analysis.shell);
+    }
+    const shell::ControlVectors x = analysis.run(*model, context);
+    if (!context.dry_run)
+      add_quantities(*model, x, context.results);
+  }
+
+  void ValveClosure::add_quantities(ShellModel &model, const shell::ControlVectors &x,
+                                    RunResults &results) const
+  {
+    auto &quantities = results.quantities;
+    const double thickness = model.section->thickness();
+    quantities.push_back(
+        {"orifice_area", valve::orifice_area(model.surface, x, design.radius, thickness), "cm^2"});
+    quantities.push_back(
+        {"rotational_asymmetry", valve::rotational_asymmetry(model.surface, x), "-"});
+    if (!model.contact)
+      return;
+    model.contact->update(x);
+    const std::vector<double> areas = model.contact->contact_areas();
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.) / areas.size();
+    const double penetration = model.contact->largest_penetration();
+    quantities.insert(quantities.end(),
+                      {{"coaptation_area", area, "cm^2 per leaflet"},
+                       {"coaptation_height", coaptation_height(model, x), "cm"},
+                       {"largest_penetration", penetration, "cm"},
+                       {"largest_penetration_of_thickness", penetration / thickness, "-"}});
+  }
+} // namespace semilunar::scene

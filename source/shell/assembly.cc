@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/shell/assembly.h>
+#include <semilunar/shell/element_matrix.h>
+#include <semilunar/shell/tangent_frame.h>
+
+#include <deal.II/base/work_stream.h>
+
+#include <numeric>
+
+namespace semilunar::shell
+{
+  using namespace spline;
+
+  struct Assembly::Scratch
+  {
+    std::vector<double> positions; // 3 x stride
+    PointResponse response;
+    ElementMatrix matrix;
+  };
+
+  struct Assembly::ElementResult
+  {
+    unsigned int element = 0;
+    double energy = 0.;
+    std::vector<double> forces, block;
+  };
+
+  namespace
+  {
+    /// Gather the control points of an element as rows x, y, z, padded with zeros.
+    void gather(const BezierElement &element, const ControlVectors &x, const unsigned int stride,
+                std::vector<double> &rows)
+    {
+      rows.assign(3 * stride, 0.);
+      for (unsigned int a = 0; a < element.n_functions(); ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          rows[i * stride + a] = x[element.control_points[a]][i];
+    }
+  } // namespace
+
+  Assembly::Assembly(const Surface &surface, const QuadraturePoints &points, const Section &section,
+                     const FibreField &fibres)
+      : surface(surface), points(points), section(section), fibres(fibres),
+        undeformed_positions(positions(surface)), undeformed_b(points.n_points()),
+        fibre_directions(points.n_points())
+  {
+    std::vector<double> rows;
+    for (unsigned int e = 0; e < surface.elements.size(); ++e)
+    {
+      gather(surface.elements[e], undeformed_positions, points.stride(e), rows);
+      for (unsigned int q = points.first_point(e); q < points.first_point(e + 1); ++q)
+      {
+        const SurfaceJet undeformed = jet(rows.data(), q);
+        undeformed_b[q] = fundamental_forms(undeformed).b;
+        fibre_directions[q] = fibres(undeformed[value], points.frame(q));
+      }
+    }
+  }
+
+  SurfaceJet Assembly::jet(const double *rows, const unsigned int q) const
+  {
+    const unsigned int stride = points.stride(points.element(q));
+    SurfaceJet result;
+    for (unsigned int d = 0; d < n_derivatives; ++d)
+    {
+      const double *basis = points.basis(q, static_cast<Derivative>(d));
+      for (unsigned int i = 0; i < 3; ++i)
+        result[d][i] = std::inner_product(basis, basis + stride, rows + i * stride, 0.);
+    }
+    return result;
+  }
+
+  void Assembly::element_response(const unsigned int element, const ControlVectors &x,
+                                  const double pressure, const bool with_tangent, Scratch &scratch,
+                                  ElementResult &result) const
+  {
+    const BezierElement &bezier = surface.elements[element];
+    const unsigned int stride = points.stride(element);
+    gather(bezier, x, stride, scratch.positions);
+    scratch.matrix.reinit(bezier.n_functions(), stride, with_tangent);
+    result.element = element;
+    result.energy = 0.;
+    for (unsigned int q = points.first_point(element); q < points.first_point(element + 1); ++q)
+    {
+      const SurfaceJet deformed = jet(scratch.positions.data(), q);
+      const double energy = strain_response(section, deformed, undeformed_b[q], fibre_directions[q],
+                                            with_tangent, scratch.response);
+      if (pressure != 0.)
+        add_pressure(deformed, pressure, with_tangent, scratch.response);
+      result.energy += points.weight(q) * energy;
+      scratch.matrix.add(scratch.response, points.basis(q, value), points.weight(q));
+    }
+    result.forces.assign(scratch.matrix.force(), scratch.matrix.force() + 3 * bezier.n_functions());
+    if (with_tangent)
+      scratch.matrix.copy_matrix(result.block);
+  }
+
+  double Assembly::add(const ControlVectors &x, const double pressure, ControlVectors &forces,
+                       const AddBlock &add_block) const
+  {
+    double energy = 0.;
+    const bool with_tangent = static_cast<bool>(add_block);
+    std::vector<unsigned int> elements(surface.elements.size());
+    std::iota(elements.begin(), elements.end(), 0u);
+    dealii::WorkStream::run(
+        elements.begin(), elements.end(),
+        [&](const std::vector<unsigned int>::iterator &element, Scratch &scratch,
+            ElementResult &result)
+        { element_response(*element, x, pressure, with_tangent, scratch, result); },
+        [&](const ElementResult &result)
+        {
+          const auto &control_points = surface.elements[result.element].control_points;
+          energy += result.energy;
+          for (unsigned int a = 0; a < control_points.size(); ++a)
+            for (unsigned int i = 0; i < 3; ++i)
+              forces[control_points[a]][i] += result.forces[3 * a + i];
+          if (with_tangent)
+            add_block(control_points, result.block.data());
+        },
+        Scratch(), ElementResult());
+    return energy;
+  }
+
+  SectionStrain Assembly::section_strain(const ControlVectors &x, const unsigned int q) const
+  {
+    const unsigned int e = points.element(q);
+    std::vector<double> rows;
+    gather(surface.elements[e], x, points.stride(e), rows);
+    const FundamentalForms forms = fundamental_forms(jet(rows.data(), q));
+    return {forms.a, forms.b, undeformed_b[q], fibre_directions[q]};
+  }
+
+  SectionStrain Assembly::section_strain(const ControlVectors &x, const SurfacePoint &point) const
+  {
+    const BezierElement &element = surface.elements[point.element];
+    BasisValues basis;
+    evaluate_basis(surface, point.element, point.xi, basis);
+    SurfaceJet undeformed = interpolate(element, basis, undeformed_positions);
+    const TangentFrame frame(undeformed[d1], undeformed[d2]);
+    undeformed = frame.transform(undeformed);
+    const FundamentalForms forms =
+        fundamental_forms(frame.transform(interpolate(element, basis, x)));
+    return {forms.a, forms.b, fundamental_forms(undeformed).b, fibres(undeformed[value], frame.e)};
+  }
+} // namespace semilunar::shell

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/shell/equilibrium.h>
+
+#include <limits>
+
+namespace semilunar::shell
+{
+  namespace
+  {
+    double norm(const ControlVectors &forces)
+    {
+      double sum = 0.;
+      for (const auto &force : forces)
+        sum += force.norm_square();
+      return std::sqrt(sum);
+    }
+
+    /// Norm of the forces of pressure and dead loads on the control points of the undeformed shell.
+    double external_norm(const spline::Surface &surface, const QuadraturePoints &points,
+                         const double pressure, const ControlVectors &dead_forces)
+    {
+      ControlVectors forces = dead_forces;
+      for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const auto &element = surface.elements[points.element(q)];
+        const auto normal = cross_product_3d(points.frame(q)[0], points.frame(q)[1]);
+        const double *R = points.basis(q, spline::value);
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          forces[element.control_points[a]] -= pressure * points.weight(q) * R[a] * normal;
+      }
+      return norm(forces);
+    }
+
+    /// Sum of weights times functions, per equation.
+    dealii::Vector<double> lump_area(const spline::Surface &surface, const QuadraturePoints &points,
+                                     const Equations &equations)
+    {
+      ControlVectors lumped(surface.control_points.size());
+      for (unsigned int q = 0; q < points.n_points(); ++q)
+      {
+        const auto &element = surface.elements[points.element(q)];
+        const double *R = points.basis(q, spline::value);
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          for (unsigned int i = 0; i < 3; ++i)
+            lumped[element.control_points[a]][i] += points.weight(q) * R[a];
+      }
+      dealii::Vector<double> area;
+      equations.restrict(lumped, area);
+      return area;
+    }
+  } // namespace
+
+  Equilibrium::Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
+                           const Equations &equations, const Assembly &assembly,
+                           const double pressure, const ControlVectors &dead_forces,
+                           Contact *const contact)
+      : equations(equations), assembly(assembly), pressure(pressure), dead_forces(dead_forces),
+        contact(contact), undeformed(spline::positions(surface)), matrix(surface, equations),
+        area(lump_area(surface, points, equations)),
+        load_norm(external_norm(surface, points, pressure, dead_forces)), points(points)
+  {
+  }
+
+  ControlVectors Equilibrium::positions(const Vector &u, const double load) const
+  {
+    ControlVectors x;
+    equations.expand(u, load, x);
+    for (unsigned int c = 0; c < x.size(); ++c)
+      x[c] += undeformed[c];
+    return x;
+  }
+
+  double Equilibrium::residual(const Vector &u, const double load, Vector &r)
+  {
+    const ControlVectors x = positions(u, load);
+    ControlVectors forces(x.size());
+    energy = assembly.add(x, load * pressure, forces, {});
+    for (unsigned int c = 0; c < x.size(); ++c)
+      forces[c] -= load * dead_forces[c];
+    if (contact != nullptr)
+    {
+      contact->update(x);
+      contact->add_gradient(forces);
+    }
+    equations.restrict(forces, r);
+    if (load_norm > 0.)
+      return std::max(load * load_norm, std::numeric_limits<double>::min());
+    // Driven by prescribed displacements: what does not vanish are the reactions.
+    double reactions = 0.;
+    for (unsigned int c = 0; c < forces.size(); ++c)
+      for (unsigned int i = 0; i < 3; ++i)
+        if (equations(c, i) == Equations::none)
+          reactions += forces[c][i] * forces[c][i];
+    return std::max(std::sqrt(reactions), std::numeric_limits<double>::min());
+  }
+
+  void Equilibrium::linearize(const Vector &u, const double load, const double shift)
+  {
+    const ControlVectors x = positions(u, load);
+    if (contact != nullptr)
+    {
+      contact->update(x);
+      matrix.couple(element_pairs());
+    }
+    matrix.set_zero();
+    ControlVectors forces(x.size());
+    assembly.add(x, load * pressure, forces,
+                 [&](const std::vector<unsigned int> &control_points, const double *block)
+                 { matrix.add(control_points, block); });
+    if (contact != nullptr)
+      contact->add_hessian(
+          [&](const std::vector<unsigned int> &control_points, const std::vector<double> &block)
+          { matrix.add(control_points, block.data()); });
+    if (shift > 0.)
+      matrix.add_diagonal(area, shift);
+    matrix.factorize();
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>> Equilibrium::element_pairs() const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> pairs;
+    for (const auto &contact_point : contact->contact_points())
+      pairs.emplace_back(points.element(contact_point.q), contact_point.partner.element);
+    return pairs;
+  }
+
+  void Equilibrium::load_derivative(const Vector &u, const double load, Vector &derivative)
+  {
+    // The pressure's force is linear in the pressure; prescribed displacements enter through a
+    // difference.
+    constexpr double step = 1e-6;
+    Vector forward;
+    residual(u, load + step, forward);
+    residual(u, load - step, derivative);
+    derivative.sadd(-0.5 / step, 0.5 / step, forward);
+  }
+
+  double Equilibrium::largest_change() const
+  {
+    return contact == nullptr ? std::numeric_limits<double>::infinity()
+                              : contact->safe_displacement();
+  }
+
+  void Equilibrium::accept(const Vector &u, const double load)
+  {
+    if (contact != nullptr)
+    {
+      contact->update(positions(u, load));
+      contact->accept();
+    }
+  }
+} // namespace semilunar::shell

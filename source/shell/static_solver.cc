@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/shell/static_solver.h>
+
+#include <cmath>
+
+namespace semilunar::shell
+{
+  using Vector = NonlinearSystem::Vector;
+
+  namespace
+  {
+    /// Load steps grow by this factor after a quick step and shrink by its square after a failed
+    /// one.
+    constexpr double step_growth = 1.5;
+    constexpr unsigned int quick = 8; // iterations
+    constexpr double end_of_path = 1. - 1e-12;
+
+    std::string at_load(const double load)
+    {
+      return "load factor " + std::to_string(load);
+    }
+
+    /// Solves at one load by the method asked for.
+    class Iteration
+    {
+    public:
+      Iteration(NonlinearSystem &system, const StaticSolverParameters &parameters,
+                const StaticSolverHooks &hooks)
+          : system(system), parameters(parameters), hooks(hooks)
+      {
+      }
+
+      unsigned int total_iterations = 0;
+
+      IterationResult operator()(const double load, const Vector &guess, Vector &u,
+                                 const char *&method)
+      {
+        IterationResult result;
+        if (parameters.method != "pseudo-transient")
+        {
+          method = "Newton";
+          Vector trial = guess;
+          result = count(
+              solve_newton(system, load, trial,
+                           {parameters.tolerance, parameters.max_iterations, hooks.interrupted}));
+          if (result.converged)
+            u = trial;
+        }
+        if (!result.converged && parameters.method != "Newton")
+        {
+          method = "pseudo-transient";
+          result = count(solve_pseudo_transient(
+              system, load, u,
+              {parameters.tolerance, parameters.max_pseudo_steps, hooks.interrupted}));
+        }
+        return result;
+      }
+
+    private:
+      NonlinearSystem &system;
+      const StaticSolverParameters &parameters;
+      const StaticSolverHooks &hooks;
+
+      IterationResult count(const IterationResult &result)
+      {
+        total_iterations += result.iterations;
+        return result;
+      }
+    };
+  } // namespace
+
+  void StaticSolverParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii;
+    prm.enter_subsection("Solver");
+    prm.add_parameter(
+        "Method", method,
+        "Newton's method with line search; pseudo-transient continuation (robust for contact and "
+        "buckling); automatic: the first, and the second where it fails; arc length: follows "
+        "the path through limit points.",
+        Patterns::Selection("automatic|Newton|pseudo-transient|arc length"));
+    prm.add_parameter("Load steps", n_load_steps,
+                      "Number of equal steps to begin with; they shrink and grow by need.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Smallest load step", smallest_load_step,
+                      "The solver gives up below this change of the load factor.",
+                      Patterns::Double(1e-12, 1.));
+    prm.add_parameter("Tolerance", tolerance,
+                      "Norm of the residual relative to that of reactions and dead forces.",
+                      Patterns::Double(1e-14, 1e-2));
+    prm.add_parameter("Iterations", max_iterations, "Newton iterations per load step at most.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Pseudo-transient steps", max_pseudo_steps, "Per load step at most.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Arc length steps", max_arc_steps, "In all at most.", Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+  unsigned int solve_static(NonlinearSystem &system, Vector &u,
+                            const StaticSolverParameters &parameters,
+                            const StaticSolverHooks &hooks)
+  {
+    if (parameters.method == "arc length")
+      return follow_path(system, u, parameters, hooks);
+
+    Iteration iterate(system, parameters, hooks);
+    const double first_step = 1. / parameters.n_load_steps;
+    double load = 0., step = first_step, previous_step = 0.;
+    Vector previous = u, guess;
+    for (unsigned int number = 1; load < end_of_path;)
+    {
+      step = std::min(step, 1. - load);
+      const double next = step > end_of_path - load ? 1. : load + step;
+      guess = u;
+      if (previous_step > 0.) // extrapolate from the last two states
+      {
+        guess.sadd(1. + step / previous_step, -step / previous_step, previous);
+        Vector change = guess;
+        change -= u;
+        if (change.linfty_norm() > system.largest_change())
+          guess = u;
+      }
+      Vector trial = u;
+      const char *method = nullptr;
+      const auto result = iterate(next, guess, trial, method);
+      if (result.converged)
+      {
+        previous = u;
+        u = trial;
+        system.accept(u, next);
+        previous_step = next - load;
+        load = next;
+        hooks.accepted({number++, load, result.iterations, result.residual, method}, u);
+        if (result.iterations <= quick)
+          step *= step_growth;
+      }
+      else
+        step /= step_growth * step_growth;
+      if (hooks.interrupted())
+        return iterate.total_iterations;
+      if (step < parameters.smallest_load_step)
+        throw NumericsError("the load step fell below its bound: " + result.failure, at_load(next),
+                            "");
+    }
+    return iterate.total_iterations;
+  }
+} // namespace semilunar::shell
