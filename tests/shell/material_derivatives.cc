@@ -313,7 +313,8 @@ namespace
     singular.a = {{1., 1., 1.5}};
     negative.a = {{-1., -1., 0.}};
     folded.b = {{100., 0., 0.}};
-    thick.b0 = {{0., 100., 0.}};
+    thick.a = {{1., 1., 0.}}; // undeformed, but thicker than its radius of curvature
+    thick.b = thick.b0 = {{0., 100., 0.}};
     unknown.a[1] = std::numeric_limits<double>::quiet_NaN();
     bool finite = false;
     for (const SectionStrain &strain : {singular, negative, folded, thick, unknown})
