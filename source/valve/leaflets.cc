@@ -2,7 +2,9 @@
 #include <semilunar/valve/boundary_curves.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/refine.h>
+#include <semilunar/valve/turn.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace semilunar::valve

@@ -3,6 +3,7 @@
 #include <semilunar/valve/boundary_curves.h>
 #include <semilunar/valve/refine.h>
 #include <semilunar/valve/stent.h>
+#include <semilunar/valve/turn.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -9,9 +9,6 @@ namespace semilunar::valve
   /// Refine a patch to this many elements in a direction without changing the surface. From 16
   /// elements on, doubling their number halves each: the meshes are nested.
   void refine(spline::NurbsPatch &patch, unsigned int direction, unsigned int n_elements);
-
-  /// Turn all control points about the z axis by k / n of a full turn.
-  void turn(std::vector<spline::ControlPoint> &points, unsigned int k, unsigned int n);
 } // namespace semilunar::valve
 
 #endif
