@@ -198,6 +198,8 @@ int main()
   log_knots("refined", refined({0, 1, 2, 3}, 5));
   log_knots("refined", refined({0, 1, 2, 3}, 7));
   log_knots("refined", refined({0, 1, 4}, 4));
+  log_knots("refined", refined({0, 1, 2, 3, 4}, 5));
+  log_knots("refined", refined({0, 1, 2, 3, 4, 5.5}, 7));
   check_symmetric_refinement();
 
   log_error([] { KnotVector(2, {0, 0, 0, 0.5, 0.4, 1, 1, 1}); });
