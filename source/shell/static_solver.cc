@@ -68,6 +68,25 @@ namespace semilunar::shell
         return result;
       }
     };
+
+    /// One solve with the tangent of the undeformed shell. The residual reported is what the
+    /// nonlinear equations have left at the full load: the smaller, the better the approximation.
+    unsigned int solve_linear(NonlinearSystem &system, Vector &u, const StaticSolverHooks &hooks)
+    {
+      if (std::isfinite(system.largest_change()))
+        throw InputError("Solver/Method", "linear", "contact is not linear",
+                         "disable contact, or use automatic");
+      Vector r(u.size());
+      system.load_derivative(u, 0., r);
+      system.linearize(u, 0., 0.);
+      r *= -1.;
+      system.solve(r);
+      u += r;
+      const double scale = system.residual(u, 1., r);
+      system.accept(u, 1.);
+      hooks.accepted({1, 1., 1, r.l2_norm() / scale, "linear"}, u);
+      return 1;
+    }
   } // namespace
 
   void StaticSolverParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -78,8 +97,9 @@ namespace semilunar::shell
         "Method", method,
         "Newton's method with line search; pseudo-transient continuation (robust for contact and "
         "buckling); automatic: the first, and the second where it fails; arc length: follows "
-        "the path through limit points.",
-        Patterns::Selection("automatic|Newton|pseudo-transient|arc length"));
+        "the path through limit points; linear: the response to infinitesimal loads, scaled to "
+        "the full ones (no contact).",
+        Patterns::Selection("automatic|Newton|pseudo-transient|arc length|linear"));
     prm.add_parameter("Load steps", n_load_steps,
                       "Number of equal steps to begin with; they shrink and grow by need.",
                       Patterns::Integer(1));
@@ -103,6 +123,8 @@ namespace semilunar::shell
   {
     if (parameters.method == "arc length")
       return follow_path(system, u, parameters, hooks);
+    if (parameters.method == "linear")
+      return solve_linear(system, u, hooks);
 
     Iteration iterate(system, parameters, hooks);
     const double first_step = 1. / parameters.n_load_steps;

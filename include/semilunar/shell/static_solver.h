@@ -41,11 +41,12 @@ namespace semilunar::shell
   /// Bring the load factor from 0 to 1. Load steps shrink where the iteration fails and grow where
   /// it is quick. Method "automatic" tries Newton's method and falls back to pseudo-transient
   /// continuation; "arc length" follows the path through limit points until the load factor first
-  /// reaches 1.
+  /// reaches 1; "linear" solves once with the tangent of the undeformed state.
   /// @param u the solution at load factor 0 on entry (zero), at load factor 1 on exit; the last
   /// accepted state if it throws
   /// @return total number of iterations
-  /// @throws NumericsError naming the load factor at which it gave up
+  /// @throws NumericsError naming the load factor at which it gave up; InputError for "linear" with
+  /// contact
   unsigned int solve_static(NonlinearSystem &system, NonlinearSystem::Vector &u,
                             const StaticSolverParameters &parameters,
                             const StaticSolverHooks &hooks);
