@@ -154,8 +154,10 @@ namespace semilunar
       }
       catch (const dealii::ExceptionBase &)
       {
-        throw InputError(place, assignment.value.empty() ? "\"\"" : assignment.value,
-                         "the value is not allowed", "give " + allowed_values(entry->pattern));
+        throw InputError(place, assignment.value,
+                         assignment.value.empty() ? "there is no value"
+                                                  : "the value is not allowed",
+                         "give " + allowed_values(entry->pattern));
       }
     }
   }
