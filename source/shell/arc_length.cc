@@ -20,9 +20,11 @@ namespace semilunar::shell
     class ArcLength
     {
     public:
-      ArcLength(NonlinearSystem &system, const StaticSolverParameters &parameters)
+      /// @param u start of the path, at load factor zero
+      ArcLength(NonlinearSystem &system, const StaticSolverParameters &parameters, const Vector &u)
           : system(system), parameters(parameters), r(system.n_unknowns()),
-            correction(system.n_unknowns())
+            correction(system.n_unknowns()),
+            smallest_force(system.residual(u, 1. / parameters.n_load_steps, r))
       {
       }
 
@@ -52,8 +54,8 @@ namespace semilunar::shell
         {
           Vector state = u;
           state += change;
-          const double scale = system.residual(state, new_load, r);
-          residual = r.l2_norm() / scale;
+          const double force = system.residual(state, new_load, r);
+          residual = r.l2_norm() / std::max(force, smallest_force);
           if (!std::isfinite(residual))
             break;
           if (residual <= parameters.tolerance)
@@ -77,6 +79,9 @@ namespace semilunar::shell
       NonlinearSystem &system;
       const StaticSolverParameters &parameters;
       Vector r, tangent, correction;
+      /// Residuals are compared with no less than the forces of the first step: a path may cross
+      /// load factor zero, where there are none.
+      const double smallest_force;
 
       /// The root of |change + correction + x tangent| = arc that turns the change least.
       double load_correction(const Vector &change, const double arc) const
@@ -97,7 +102,7 @@ namespace semilunar::shell
   unsigned int follow_path(NonlinearSystem &system, Vector &u,
                            const StaticSolverParameters &parameters, const StaticSolverHooks &hooks)
   {
-    ArcLength path(system, parameters);
+    ArcLength path(system, parameters, u);
     path.make_tangent(u, 0.);
     const double first_arc = path.path_tangent().l2_norm() / parameters.n_load_steps;
     double load = 0., arc = first_arc;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/shell/equilibrium.h>
 
+#include <cmath>
 #include <limits>
 
 namespace semilunar::shell
@@ -84,7 +85,7 @@ namespace semilunar::shell
     }
     equations.restrict(forces, r);
     if (load_norm > 0.)
-      return std::max(load * load_norm, std::numeric_limits<double>::min());
+      return std::max(std::abs(load) * load_norm, std::numeric_limits<double>::min());
     // Driven by prescribed displacements: what does not vanish are the reactions.
     double reactions = 0.;
     for (unsigned int c = 0; c < forces.size(); ++c)
