@@ -131,7 +131,14 @@ namespace semilunar::scene
                        "degrees and knots ask for " + std::to_string(n_points));
     std::vector<spline::ControlPoint> net;
     for (const std::vector<double> &point : control_net)
+    {
+      if (!(point[3] > 0.))
+        throw InputError("Surface/NURBS/Control net", dealii::Utilities::to_string(point[3]),
+                         "the weight of control point " + std::to_string(net.size()) +
+                             " is not positive",
+                         "give weights greater than 0");
       net.push_back({spline::Point<3>(point[0], point[1], point[2]), point[3]});
+    }
     return spline::NurbsPatch(knots, net);
   }
 

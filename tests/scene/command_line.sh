@@ -99,6 +99,8 @@ expect 1 '--set, Surface/Degree = "2": is too small' plate.prm \
   --set Surface/Source=cylinder --set Surface/Degree=2 --set "Surface/Cylinder/Angles=0, 170"
 expect 1 'give the smaller number first' plate.prm \
   --set Surface/Source=sphere --set "Surface/Sphere/Latitudes=9, 9"
+expect 1 'the weight of control point 3 is not positive' plate.prm --set Surface/Source=nurbs \
+  --set "Surface/NURBS/Control net=0,0,0,1; 1,0,0,1; 0,1,0,1; 1,1,0,-1"
 echo 'set Degree = 3' >bad.prm
 expect 1 'bad.prm: the kind of scene is not set' bad.prm
 printf 'set Scene = geometry\nsubsection Surface\n  set Sorce = sphere\nend\n' >bad.prm
