@@ -6,7 +6,7 @@
 # What the program says and returns to its caller: exit codes, one line on standard error, formats.
 # Runs in an empty folder.
 set -u
-program=$1
+program=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
