@@ -161,7 +161,7 @@ namespace semilunar::shell
         step /= step_growth * step_growth;
       if (hooks.interrupted())
         return iterate.total_iterations;
-      if (step < parameters.smallest_load_step)
+      if (!result.converged && step < parameters.smallest_load_step)
         throw NumericsError("the load step fell below its bound: " + result.failure, at_load(next),
                             "");
     }
