@@ -304,7 +304,7 @@ namespace
           1e-14);
   }
 
-  /// States that no line search may accept.
+  /// States that no line search may accept. St. Venant-Kirchhoff accepts any deformation.
   void check_inadmissible(const std::string &material)
   {
     const auto section = parameters(material).make_section();
@@ -317,7 +317,14 @@ namespace
     thick.b = thick.b0 = {{0., 100., 0.}};
     unknown.a[1] = std::numeric_limits<double>::quiet_NaN();
     bool finite = false;
-    for (const SectionStrain &strain : {singular, negative, folded, thick, unknown})
+    std::vector<SectionStrain> inadmissible = {thick, unknown};
+    if (material != "Saint Venant-Kirchhoff")
+      inadmissible.insert(inadmissible.end(), {singular, negative, folded});
+    else
+      for (const SectionStrain &strain : {singular, negative, folded})
+        check(material + ", energy of a folded state",
+              std::isfinite(evaluate(*section, strain).energy) ? 0. : 1., 0.);
+    for (const SectionStrain &strain : inadmissible)
     {
       const SectionResponse r = evaluate(*section, strain);
       finite = finite || std::isfinite(r.energy) || std::isfinite(r.n[0]) ||

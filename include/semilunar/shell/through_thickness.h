@@ -40,7 +40,7 @@ namespace semilunar::shell
     Symmetric stress(const SectionStrain &strain, const double xi) const override
     {
       const ThicknessPoint point = thickness_point(strain, xi);
-      if (point.admissible)
+      if (is_admissible(point))
         return law.evaluate(point).stress;
       const double nan = std::numeric_limits<double>::quiet_NaN();
       return {{nan, nan, nan}};
@@ -52,6 +52,12 @@ namespace semilunar::shell
     Law law;
     double h;
     ThicknessRule rule;
+
+    static bool is_admissible(const ThicknessPoint &point)
+    {
+      return point.undeformed_admissible &&
+             (point.deformed_admissible || Law::admits_any_deformation);
+    }
 
     template <bool with_tangent>
     void integrate(const SectionStrain &strain, SectionResponse &response) const;
@@ -74,7 +80,7 @@ namespace semilunar::shell
     {
       const double xi = rule.positions[q], weight = rule.weights[q];
       const ThicknessPoint point = thickness_point(strain, xi);
-      if (!point.admissible)
+      if (!is_admissible(point))
         return set_not_a_number(with_tangent, response);
 
       const MaterialResponse local = law.evaluate(point);

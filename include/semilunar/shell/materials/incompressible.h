@@ -43,6 +43,8 @@ namespace semilunar::shell
   template <class Energy>
   struct Incompressible
   {
+    static constexpr bool admits_any_deformation = false;
+
     Energy energy;
 
     MaterialResponse evaluate(const ThicknessPoint &p) const

@@ -8,7 +8,8 @@ namespace semilunar::shell
 {
   /// What a plane-stress material law returns at a point. A law is a struct with a member
   /// `MaterialResponse evaluate(const ThicknessPoint &) const`, inlined into the thickness
-  /// integration; what the caller does not use of the response costs nothing.
+  /// integration (what the caller does not use of the response costs nothing), and a constant
+  /// `admits_any_deformation`: whether the law makes sense where C is not positive definite.
   struct MaterialResponse
   {
     double energy;        ///< strain energy per undeformed volume

@@ -10,6 +10,8 @@ namespace semilunar::shell
   /// change does not enter.
   struct SaintVenantKirchhoff
   {
+    static constexpr bool admits_any_deformation = true;
+
     double youngs_modulus; ///< [dyn/cm^2]
     double poisson_ratio;
 

@@ -10,14 +10,15 @@ namespace semilunar::shell
   /// refer to the convected basis whose undeformed metric is g0_ab = delta_ab - 2 xi b0_ab.
   struct ThicknessPoint
   {
-    Symmetric reference;  ///< contravariant undeformed metric g0^ab
-    Symmetric deformed;   ///< contravariant deformed metric g^ab
-    Symmetric strain;     ///< Green-Lagrange strain E_ab
-    double trace;         ///< x = 2 g0^ab E_ab
-    double determinant;   ///< y = det(2 E_ab) / det(g0_ab)
-    double C33;           ///< thickness stretch squared, 1 / (1 + x + y) if incompressible
-    Symmetric fibre_dyad; ///< m^a m^b, m the fibre direction with g0_ab m^a m^b = 1
-    bool admissible;      ///< whether both metrics are positive definite
+    Symmetric reference;        ///< contravariant undeformed metric g0^ab
+    Symmetric deformed;         ///< contravariant deformed metric g^ab
+    Symmetric strain;           ///< Green-Lagrange strain E_ab
+    double trace;               ///< x = 2 g0^ab E_ab
+    double determinant;         ///< y = det(2 E_ab) / det(g0_ab)
+    double C33;                 ///< thickness stretch squared, 1 / (1 + x + y) if incompressible
+    Symmetric fibre_dyad;       ///< m^a m^b, m the fibre direction with g0_ab m^a m^b = 1
+    bool undeformed_admissible; ///< whether g0_ab is positive definite
+    bool deformed_admissible;   ///< whether g_ab is
 
     /// First invariant of C minus 3, free of cancellation at small strain (M5).
     double I1_minus_3() const { return (trace * trace + (trace - 1.) * determinant) * C33; }
@@ -53,7 +54,8 @@ namespace semilunar::shell
     const Symmetric dyad{{m[0] * m[0], m[1] * m[1], m[0] * m[1]}};
     const double length_squared = contract(dyad, g0);
     p.fibre_dyad = {{dyad[0] / length_squared, dyad[1] / length_squared, dyad[2] / length_squared}};
-    p.admissible = g0[0] > 0. && det0 > 0. && C[0] > 0. && area_squared > 0.;
+    p.undeformed_admissible = g0[0] > 0. && det0 > 0.;
+    p.deformed_admissible = C[0] > 0. && area_squared > 0.;
     return p;
   }
 } // namespace semilunar::shell
