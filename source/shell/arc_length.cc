@@ -42,9 +42,32 @@ namespace semilunar::shell
       const Vector &path_tangent() const { return tangent; }
 
       /// From (u, load) a step of the given length, in the direction of the last change.
-      /// @return the new load factor, or NaN if it did not converge; change and residual are set
+      /// @return the new load factor, or NaN if it did not converge or met a singular tangent (a
+      /// limit point itself); change and residual are set
       double step(const Vector &u, const double load, const double arc, const Vector &last_change,
                   Vector &change, double &residual, unsigned int &corrections)
+      {
+        try
+        {
+          return correct(u, load, arc, last_change, change, residual, corrections);
+        }
+        catch (const NumericsError &)
+        {
+          return std::nan("");
+        }
+      }
+
+    private:
+      NonlinearSystem &system;
+      const StaticSolverParameters &parameters;
+      Vector r, tangent, correction;
+      /// Residuals are compared with no less than the forces of the first step: a path may cross
+      /// load factor zero, where there are none.
+      const double smallest_force;
+
+      double correct(const Vector &u, const double load, const double arc,
+                     const Vector &last_change, Vector &change, double &residual,
+                     unsigned int &corrections)
       {
         make_tangent(u, load);
         const double forward = last_change.all_zero() || tangent * last_change > 0. ? 1. : -1.;
@@ -74,14 +97,6 @@ namespace semilunar::shell
         }
         return std::nan("");
       }
-
-    private:
-      NonlinearSystem &system;
-      const StaticSolverParameters &parameters;
-      Vector r, tangent, correction;
-      /// Residuals are compared with no less than the forces of the first step: a path may cross
-      /// load factor zero, where there are none.
-      const double smallest_force;
 
       /// The root of |change + correction + x tangent| = arc that turns the change least.
       double load_correction(const Vector &change, const double arc) const
