@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/spline/boundary_rows.h>
+#include <semilunar/spline/evaluation.h>
 
 #include <algorithm>
 #include <map>
@@ -30,6 +31,33 @@ namespace semilunar::spline
       }
       return false;
     }
+
+    std::array<Tensor<1, 3>, 2> end_points(const Surface &surface, const ElementSide &s)
+    {
+      std::array<Tensor<1, 3>, 2> ends;
+      for (unsigned int end = 0; end < 2; ++end)
+      {
+        Point<2> xi;
+        xi[s.side / 2] = s.side % 2;
+        xi[1 - s.side / 2] = end;
+        ends[end] = evaluate(surface, {s.element, xi})[value];
+      }
+      return ends;
+    }
+
+    /// Do two sides that see the same functions share more than a point? They are parts of one
+    /// curve: compare along its chord.
+    bool overlap(const Surface &surface, const ElementSide &s, const ElementSide &t)
+    {
+      constexpr double smallest_share = 1e-3; // of the chord; files round coordinates
+      const auto ends = end_points(surface, s), others = end_points(surface, t);
+      const Tensor<1, 3> chord = ends[1] - ends[0];
+      if (chord.norm_square() == 0.)
+        return true;
+      const double a = (others[0] - ends[0]) * chord / chord.norm_square();
+      const double b = (others[1] - ends[0]) * chord / chord.norm_square();
+      return std::min(1., std::max(a, b)) - std::max(0., std::min(a, b)) > smallest_share;
+    }
   } // namespace
 
   std::vector<unsigned int> control_row(const BezierElement &element, const unsigned int side,
@@ -47,7 +75,8 @@ namespace semilunar::spline
 
   std::vector<ElementSide> boundary_sides(const Surface &surface)
   {
-    // Elements on both sides of an inner edge see the same functions there.
+    // Elements on both sides of an inner edge see the same functions there; and so do neighbours
+    // along the boundary if the line between them is the extension of a T-junction.
     std::map<std::vector<unsigned int>, std::vector<ElementSide>> sides_by_row;
     for (unsigned int e = 0; e < surface.elements.size(); ++e)
       for (unsigned int side = 0; side < 4; ++side)
@@ -58,8 +87,10 @@ namespace semilunar::spline
       }
     std::vector<ElementSide> boundary;
     for (const auto &[row, sides] : sides_by_row)
-      if (sides.size() == 1)
-        boundary.push_back(sides[0]);
+      for (const ElementSide &s : sides)
+        if (std::none_of(sides.begin(), sides.end(),
+                         [&](const ElementSide &t) { return &t != &s && overlap(surface, s, t); }))
+          boundary.push_back(s);
     std::sort(boundary.begin(), boundary.end(),
               [](const ElementSide &a, const ElementSide &b)
               { return std::make_pair(a.element, a.side) < std::make_pair(b.element, b.side); });
