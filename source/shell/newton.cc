@@ -15,6 +15,8 @@ namespace semilunar::shell
     /// residual's norm falls.
     constexpr double sufficient_decrease = 0.8;
     constexpr unsigned int max_searches = 6;
+    /// By so much, relative, a step of the largest length may be exceeded.
+    constexpr double rounding = 1e-12;
 
     /// Residual at u + fraction du, its relative norm, and its work along du.
     struct Trial
@@ -89,13 +91,13 @@ namespace semilunar::shell
         result.failure = "the residual is not finite";
         return result;
       }
-      if (current.norm <= parameters.tolerance)
-        break;
-      if (distance(current.u, u) > system.largest_change())
+      if (distance(current.u, u) > system.largest_change() * (1. + rounding))
       {
         result.failure = "the solution lies further away than one step may go";
         return result;
       }
+      if (current.norm <= parameters.tolerance)
+        break;
       if (result.iterations == parameters.max_iterations || parameters.interrupted())
       {
         result.failure = "no convergence in " + std::to_string(result.iterations) + " iterations";

@@ -44,6 +44,11 @@ namespace semilunar::shell
           result = count(
               solve_newton(system, load, trial,
                            {parameters.tolerance, parameters.max_iterations, hooks.interrupted}));
+          if (result.converged && !within_reach(u, trial))
+          {
+            result.converged = false;
+            result.failure = "the solution lies further away than one step may go";
+          }
           if (result.converged)
             u = trial;
         }
@@ -61,6 +66,13 @@ namespace semilunar::shell
       NonlinearSystem &system;
       const StaticSolverParameters &parameters;
       const StaticSolverHooks &hooks;
+
+      /// The guess may lie as far from the last state as one step may go, and the solution from it.
+      bool within_reach(const Vector &last, Vector next) const
+      {
+        next -= last;
+        return next.linfty_norm() <= system.largest_change();
+      }
 
       IterationResult count(const IterationResult &result)
       {
