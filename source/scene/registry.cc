@@ -5,7 +5,7 @@
 #include <semilunar/scene/geometry.h>
 #include <semilunar/scene/registry.h>
 #include <semilunar/scene/shell_statics.h>
-#include <semilunar/scene/valve_closure.h>
+#include <semilunar/scene/valve_statics.h>
 
 #include <algorithm>
 
@@ -25,8 +25,8 @@ namespace semilunar::scene
     static const std::map<std::string, SceneKind> kinds = {
         {"geometry", kind<Geometry>("build a surface, check it, report on it and write it")},
         {"shell statics", kind<ShellStatics>("any shell under static loads")},
-        {"valve closure",
-         kind<ValveClosure>(
+        {"valve statics",
+         kind<ValveStatics>(
              "the leaflets of a valve design under static pressure, touching each other")},
     };
     return kinds;

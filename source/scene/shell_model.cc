@@ -30,14 +30,14 @@ namespace semilunar::scene
   }
 
   LargestStrain largest_strain(const ShellModel &model, const shell::ControlVectors &x,
-                               const int face)
+                               const int face, const std::function<bool(unsigned int)> &counts)
   {
     const double xi = 0.5 * face * model.section->thickness();
     LargestStrain largest{-std::numeric_limits<double>::infinity(), 0};
     for (unsigned int q = 0; q < model.points.n_points(); ++q)
     {
       const double strain = principal_strains(model.assembly.section_strain(x, q), xi)[0];
-      if (strain > largest.value)
+      if (strain > largest.value && counts(q))
         largest = {strain, q};
     }
     return largest;

@@ -2,11 +2,32 @@
 #include <semilunar/core/first_rank.h>
 #include <semilunar/scene/shell_output.h>
 
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cstdio>
+#include <map>
 
 namespace semilunar::scene
 {
   using output::SurfaceField;
+
+  namespace
+  {
+    /// The Lagrange polynomials of the n Gauss points, at x.
+    std::vector<double> lagrange_values(const unsigned int n, const double x)
+    {
+      static std::map<unsigned int, std::vector<dealii::Polynomials::Polynomial<double>>> bases;
+      auto &basis = bases[n];
+      if (basis.empty())
+        basis = dealii::Polynomials::generate_complete_Lagrange_basis(
+            dealii::QGauss<1>(n).get_points());
+      std::vector<double> values;
+      for (const auto &polynomial : basis)
+        values.push_back(polynomial.value(x));
+      return values;
+    }
+  } // namespace
 
   ShellOutput::ShellOutput(const std::filesystem::path &folder, const ShellModel &model,
                            const output::SurfaceVtuParameters &parameters)
@@ -18,19 +39,17 @@ namespace semilunar::scene
   SurfaceField ShellOutput::quadrature_field(const std::string &name,
                                              const std::vector<double> &values) const
   {
-    // the value of the nearest quadrature point of the element
     return {name, 1,
             [this, values](const spline::SurfacePoint &point, double *value)
             {
-              const auto &points = model.points;
-              double smallest = 2.;
-              for (unsigned int q = points.first_point(point.element);
-                   q < points.first_point(point.element + 1); ++q)
-                if (points.xi(q).distance_square(point.xi) < smallest)
-                {
-                  smallest = points.xi(q).distance_square(point.xi);
-                  *value = values[q];
-                }
+              const auto &degree = model.surface.elements[point.element].degree;
+              const std::vector<double> along = lagrange_values(degree[0] + 1, point.xi[0]),
+                                        across = lagrange_values(degree[1] + 1, point.xi[1]);
+              const double *at_points = &values[model.points.first_point(point.element)];
+              *value = 0.;
+              for (unsigned int j = 0; j < across.size(); ++j)
+                for (unsigned int i = 0; i < along.size(); ++i)
+                  *value += along[i] * across[j] * at_points[j * along.size() + i];
             }};
   }
 

@@ -7,6 +7,7 @@
 #include <semilunar/shell/section_parameters.h>
 #include <semilunar/shell/supports.h>
 
+#include <functional>
 #include <memory>
 
 namespace semilunar::scene
@@ -47,7 +48,10 @@ namespace semilunar::scene
     unsigned int q; ///< quadrature point
   };
   /// @param face +1 for the face the normal points to, -1 for the other
-  LargestStrain largest_strain(const ShellModel &model, const shell::ControlVectors &x, int face);
+  /// @param counts which quadrature points count
+  LargestStrain largest_strain(
+      const ShellModel &model, const shell::ControlVectors &x, int face,
+      const std::function<bool(unsigned int)> &counts = [](unsigned int) { return true; });
 } // namespace semilunar::scene
 
 #endif

@@ -32,6 +32,7 @@ namespace semilunar::scene
     unsigned int n_written = 0;
 
     std::vector<output::SurfaceField> fields(const shell::ControlVectors &x) const;
+    /// Interpolates values at the quadrature points, element by element.
     output::SurfaceField quadrature_field(const std::string &name,
                                           const std::vector<double> &values) const;
   };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <semilunar/scene/valve_closure.h>
+#include <semilunar/scene/valve_statics.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/orifice.h>
 #include <semilunar/valve/symmetry.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -29,9 +30,32 @@ namespace semilunar::scene
         }
       return std::max(0., high - low);
     }
+    /// Where a free edge meets a clamped one, strain is singular in the limit of fine meshes, and a
+    /// shell theory says nothing within about a thickness: so many thicknesses are left out.
+    constexpr double commissure_neighbourhood = 2.;
+
+    /// The largest strain on either face further away from the commissures than that.
+    double strain_off_commissures(const ShellModel &model, const shell::ControlVectors &x,
+                                  const valve::Design &design)
+    {
+      std::vector<spline::Tensor<1, 3>> commissures;
+      for (const auto &point : model.surface.control_points)
+        if (point.position[2] > (1. - 1e-12) * design.commissure_height)
+          commissures.push_back(point.position);
+      const double radius = commissure_neighbourhood * model.section->thickness();
+      const auto counts = [&](const unsigned int q)
+      {
+        const auto position = spline::evaluate(
+            model.surface, {model.points.element(q), model.points.xi(q)})[spline::value];
+        return std::none_of(commissures.begin(), commissures.end(),
+                            [&](const auto &c) { return (c - position).norm() < radius; });
+      };
+      return std::max(largest_strain(model, x, 1, counts).value,
+                      largest_strain(model, x, -1, counts).value);
+    }
   } // namespace
 
-  void ValveClosure::add_parameters(dealii::ParameterHandler &prm)
+  void ValveStatics::add_parameters(dealii::ParameterHandler &prm)
   {
     prm.enter_subsection("Valve");
     design.add_parameters(prm);
@@ -39,12 +63,12 @@ namespace semilunar::scene
     analysis.add_parameters(prm);
   }
 
-  void ValveClosure::check() const
+  void ValveStatics::check() const
   {
     design.check();
   }
 
-  void ValveClosure::run(RunContext &context)
+  void ValveStatics::run(RunContext &context)
   {
     std::unique_ptr<ShellModel> model;
     {
@@ -56,7 +80,7 @@ namespace semilunar::scene
       add_quantities(*model, x, context.results);
   }
 
-  void ValveClosure::add_quantities(ShellModel &model, const shell::ControlVectors &x,
+  void ValveStatics::add_quantities(ShellModel &model, const shell::ControlVectors &x,
                                     RunResults &results) const
   {
     auto &quantities = results.quantities;
@@ -65,6 +89,8 @@ namespace semilunar::scene
         {"orifice_area", valve::orifice_area(model.surface, x, design.radius, thickness), "cm^2"});
     quantities.push_back(
         {"rotational_asymmetry", valve::rotational_asymmetry(model.surface, x), "-"});
+    quantities.push_back(
+        {"max_mipe_off_commissures", strain_off_commissures(model, x, design), "-"});
     if (!model.contact)
       return;
     model.contact->update(x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef semilunar_scene_valve_closure_h
-#define semilunar_scene_valve_closure_h
+#ifndef semilunar_scene_valve_statics_h
+#define semilunar_scene_valve_statics_h
 
 #include <semilunar/scene/scene.h>
 #include <semilunar/scene/static_analysis.h>
@@ -9,7 +9,7 @@
 namespace semilunar::scene
 {
   /// The leaflets of a valve design under static pressure, touching each other.
-  class ValveClosure : public Scene
+  class ValveStatics : public Scene
   {
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
