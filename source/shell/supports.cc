@@ -3,10 +3,8 @@
 #include <semilunar/shell/supports.h>
 
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <limits>
-#include <map>
 
 namespace semilunar::shell
 {
@@ -129,63 +127,6 @@ namespace semilunar::shell
         tie(control_row(surface, sides, 1), row_0, {(axis + 1) % 3, (axis + 2) % 3}, axis);
       }
     };
-
-    /// The six rigid motions of a point: three translations, three rotations about the centre.
-    std::array<dealii::Tensor<1, 3>, 6> rigid_motions(const dealii::Tensor<1, 3> &arm)
-    {
-      std::array<dealii::Tensor<1, 3>, 6> motions;
-      for (unsigned int k = 0; k < 3; ++k)
-      {
-        dealii::Tensor<1, 3> axis;
-        axis[k] = 1.;
-        motions[k] = axis;
-        motions[3 + k] = cross_product_3d(axis, arm);
-      }
-      return motions;
-    }
-
-    /// Gram matrix of the rigid motions of one piece in the constrained components: its null space
-    /// is free.
-    dealii::LAPACKFullMatrix<double> constraint_gram(const spline::Surface &surface,
-                                                     const Equations &equations,
-                                                     const std::vector<unsigned int> &points)
-    {
-      dealii::Tensor<1, 3> centre;
-      for (const unsigned int c : points)
-        centre += surface.control_points[c].position / static_cast<double>(points.size());
-      double size = 0.;
-      for (const unsigned int c : points)
-        size = std::max(size, (surface.control_points[c].position - centre).norm());
-
-      dealii::LAPACKFullMatrix<double> gram(6, 6);
-      const auto add_constraint = [&](const std::array<double, 6> &row)
-      {
-        for (unsigned int k = 0; k < 6; ++k)
-          for (unsigned int l = 0; l < 6; ++l)
-            gram(k, l) += row[k] * row[l];
-      };
-      std::map<unsigned int, std::array<double, 6>> first_of_class;
-      for (const unsigned int c : points)
-      {
-        const auto motions = rigid_motions((surface.control_points[c].position - centre) / size);
-        for (unsigned int i = 0; i < 3; ++i)
-        {
-          std::array<double, 6> row;
-          for (unsigned int k = 0; k < 6; ++k)
-            row[k] = motions[k][i];
-          const auto [first, is_new] = first_of_class.emplace(equations.representative(c, i), row);
-          if (equations.is_prescribed(c, i))
-            add_constraint(row);
-          else if (!is_new)
-          {
-            for (unsigned int k = 0; k < 6; ++k)
-              row[k] -= first->second[k];
-            add_constraint(row);
-          }
-        }
-      }
-      return gram;
-    }
   } // namespace
 
   void SupportParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -206,36 +147,6 @@ namespace semilunar::shell
                       "OTHER; 'move PLACE x VALUE' "
                       "prescribes a displacement, proportional to the load factor.");
     prm.leave_subsection();
-  }
-
-  std::vector<unsigned int> free_rigid_motions(const spline::Surface &surface,
-                                               const Equations &equations)
-  {
-    const std::vector<unsigned int> parts = connected_parts(surface);
-    std::vector<std::vector<unsigned int>> points;
-    std::vector<bool> seen(surface.control_points.size(), false);
-    for (unsigned int e = 0; e < parts.size(); ++e)
-      for (const unsigned int c : surface.elements[e].control_points)
-        if (!seen[c])
-        {
-          seen[c] = true;
-          points.resize(std::max<std::size_t>(points.size(), parts[e] + 1));
-          points[parts[e]].push_back(c);
-        }
-
-    std::vector<unsigned int> n_free;
-    for (const auto &part : points)
-    {
-      auto gram = constraint_gram(surface, equations, part);
-      gram.compute_svd();
-      // Motions of unit size: squared sums of constrained components, at least about one each.
-      constexpr double threshold = 1e-8;
-      unsigned int free = 0;
-      for (unsigned int k = 0; k < 6; ++k)
-        free += gram.singular_value(k) < threshold;
-      n_free.push_back(free);
-    }
-    return n_free;
   }
 
   Equations make_equations(const spline::Surface &surface, const SupportParameters &parameters)

@@ -175,6 +175,44 @@ namespace
     check_free("two plates", two, "pin z=1", {6, 0});
     check_free("two plates", two, "clamp x=0", {0, 0});
     check_free("two plates", two, "pin x=0; fix z=1 xyz", {1, 0});
+    check_free("two plates", two, "fix z=0 xyz; tie z=1 z=0 xyz", {0, 0});
+  }
+
+  /// Two plates end to end, a gap between them, the right edge of one tied to the left of the
+  /// other: a hinge. And both tied all over.
+  void check_tied_pieces()
+  {
+    Surface surface = small_plate(), second = small_plate();
+    for (ControlPoint &point : second.control_points)
+      point.position[0] += 3.5;
+    append(surface, second, -1.);
+    check_free("hinged plates", surface, "pin x=0; tie x=3.5 x=3 xyz; fix x=3 z; fix x=6.5 z",
+               {0, 0});
+
+    const auto count = [&](const std::vector<unsigned int> &pinned, const unsigned int every)
+    {
+      Equations equations(48);
+      for (unsigned int c = every - 1; c < 24; c += every)
+        for (unsigned int i = 0; i < 3; ++i)
+          equations.tie(c, every == 1 ? 24 + c : 24 + c - 5, i);
+      for (const unsigned int c : pinned)
+        for (unsigned int i = 0; i < 3; ++i)
+          equations.prescribe(c, i, 0.);
+      equations.close();
+      return free_rigid_motions(surface, equations);
+    };
+    using Counts = std::vector<unsigned int>;
+    check_true("hinge, free", count({}, 6) == Counts({6, 6}));
+    // the first turns about its pinned edge, the second about the hinge, too
+    check_true("hinge, pinned edge", count({0, 6, 12, 18}, 6) == Counts({1, 2}));
+    check_true("hinge, far edge pinned", count({29, 35, 41, 47}, 6) == Counts({2, 1}));
+    // a flat toggle
+    check_true("hinge, both ends pinned", count({0, 6, 12, 18, 47}, 6) == Counts({1, 1}));
+    check_true("hinge, pinned at itself", count({0, 6, 12, 18, 5, 47}, 6) == Counts({0, 0}));
+    check_true("tied all over, free", count({}, 1) == Counts({6, 6}));
+    check_true("tied all over, pinned point", count({0}, 1) == Counts({3, 3}));
+    check_true("tied all over, pinned edge of the other",
+               count({24, 30, 36, 42}, 1) == Counts({1, 1}));
   }
 
   /// Every message names the entry, holds the value and ends with a remedy.
@@ -220,5 +258,6 @@ int main()
   check_verbs();
   check_symmetry_and_ties();
   check_rigid_motions();
+  check_tied_pieces();
   check_messages();
 }

@@ -23,7 +23,7 @@ namespace semilunar::shell
   Equations make_equations(const spline::Surface &surface, const SupportParameters &parameters);
 
   /// Number of independent rigid motions (0 to 6) of each connected piece that the equations leave
-  /// free.
+  /// free, alone or together with pieces that are tied to it.
   std::vector<unsigned int> free_rigid_motions(const spline::Surface &surface,
                                                const Equations &equations);
 } // namespace semilunar::shell
