@@ -13,7 +13,8 @@ namespace semilunar::scene
     contact.add_parameters(prm);
   }
 
-  ShellModel::ShellModel(spline::Surface given_surface, const ShellParameters &parameters)
+  ShellModel::ShellModel(spline::Surface given_surface, const ShellParameters &parameters,
+                         Timers &timers)
       : surface(std::move(given_surface)), section(parameters.section.make_section()),
         points(surface), equations(make_equations(surface, parameters.supports)),
         assembly(surface, points, *section,
@@ -25,7 +26,7 @@ namespace semilunar::scene
         dead_forces(shell::dead_forces(surface, points, parameters.loads,
                                        parameters.section.density * parameters.section.thickness)),
         equilibrium(surface, points, equations, assembly, parameters.loads.follower_pressure(),
-                    dead_forces, contact.get())
+                    dead_forces, contact.get(), timers)
   {
   }
 

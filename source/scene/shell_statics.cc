@@ -14,7 +14,7 @@ namespace semilunar::scene
     std::unique_ptr<ShellModel> model;
     {
       const Timers::Scope timer(context.timers, "set-up");
-      model = std::make_unique<ShellModel>(source.build(), analysis.shell);
+      model = std::make_unique<ShellModel>(source.build(), analysis.shell, context.timers);
     }
     analysis.run(*model, context);
   }

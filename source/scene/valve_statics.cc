@@ -73,7 +73,7 @@ namespace semilunar::scene
     std::unique_ptr<ShellModel> model;
     {
       const Timers::Scope timer(context.timers, "set-up");
-      model = std::make_unique<ShellModel>(valve::leaflets(design), analysis.shell);
+      model = std::make_unique<ShellModel>(valve::leaflets(design), analysis.shell, context.timers);
     }
     const shell::ControlVectors x = analysis.run(*model, context);
     if (!context.dry_run)

@@ -54,11 +54,12 @@ namespace semilunar::shell
   Equilibrium::Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
                            const Equations &equations, const Assembly &assembly,
                            const double pressure, const ControlVectors &dead_forces,
-                           Contact *const contact)
+                           Contact *const contact, Timers &timers)
       : equations(equations), assembly(assembly), pressure(pressure), dead_forces(dead_forces),
         contact(contact), undeformed(spline::positions(surface)), matrix(surface, equations),
         area(lump_area(surface, points, equations)),
-        load_norm(external_norm(surface, points, pressure, dead_forces)), points(points)
+        load_norm(external_norm(surface, points, pressure, dead_forces)), points(points),
+        timers(timers)
   {
   }
 
@@ -75,11 +76,15 @@ namespace semilunar::shell
   {
     const ControlVectors x = positions(u, load);
     ControlVectors forces(x.size());
-    energy = assembly.add(x, load * pressure, forces, {});
+    {
+      const Timers::Scope timer(timers, "assembly");
+      energy = assembly.add(x, load * pressure, forces, {});
+    }
     for (unsigned int c = 0; c < x.size(); ++c)
       forces[c] -= load * dead_forces[c];
     if (contact != nullptr)
     {
+      const Timers::Scope timer(timers, "contact");
       contact->update(x);
       contact->add_gradient(forces);
     }
@@ -100,28 +105,43 @@ namespace semilunar::shell
     const ControlVectors x = positions(u, load);
     if (contact != nullptr)
     {
+      const Timers::Scope timer(timers, "contact");
       contact->update(x);
-      matrix.couple(element_pairs());
+      matrix.couple(touching_elements());
     }
     matrix.set_zero();
-    ControlVectors forces(x.size());
-    assembly.add(x, load * pressure, forces,
-                 [&](const std::vector<unsigned int> &control_points, const double *block)
-                 { matrix.add(control_points, block); });
+    {
+      const Timers::Scope timer(timers, "assembly");
+      ControlVectors forces(x.size());
+      assembly.add(x, load * pressure, forces,
+                   [&](const std::vector<unsigned int> &control_points, const double *block)
+                   { matrix.add(control_points, block); });
+    }
     if (contact != nullptr)
+    {
+      const Timers::Scope timer(timers, "contact");
       contact->add_hessian(
           [&](const std::vector<unsigned int> &control_points, const std::vector<double> &block)
           { matrix.add(control_points, block.data()); });
+    }
     if (shift > 0.)
       matrix.add_diagonal(area, shift);
+    const Timers::Scope timer(timers, "linear solver");
     matrix.factorize();
   }
 
-  std::vector<std::pair<unsigned int, unsigned int>> Equilibrium::element_pairs() const
+  void Equilibrium::solve(Vector &right_hand_side) const
+  {
+    const Timers::Scope timer(timers, "linear solver");
+    matrix.solve(right_hand_side);
+  }
+
+  std::vector<std::pair<unsigned int, unsigned int>> Equilibrium::touching_elements() const
   {
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     for (const auto &contact_point : contact->contact_points())
-      pairs.emplace_back(points.element(contact_point.q), contact_point.partner.element);
+      if (contact_point.pressure > 0.)
+        pairs.emplace_back(points.element(contact_point.q), contact_point.partner.element);
     return pairs;
   }
 

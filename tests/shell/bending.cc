@@ -44,8 +44,9 @@ namespace
                             });
     const Equations equations = make_equations(c.surface, {c.supports});
     const Vectors forces = dead_forces(c.surface, points, c.loads, 1.);
+    Timers timers;
     Equilibrium system(c.surface, points, equations, assembly, c.loads.follower_pressure(), forces,
-                       nullptr);
+                       nullptr, timers);
     StaticSolverParameters solver;
     solver.method = "Newton";
     solver.n_load_steps = c.n_load_steps;

@@ -28,7 +28,7 @@ namespace semilunar::scene
   {
   public:
     /// @throws InputError for parameters that do not fit the surface
-    ShellModel(spline::Surface surface, const ShellParameters &parameters);
+    ShellModel(spline::Surface surface, const ShellParameters &parameters, Timers &timers);
     ShellModel(const ShellModel &) = delete;
 
     const spline::Surface surface;

@@ -2,6 +2,7 @@
 #ifndef semilunar_shell_equilibrium_h
 #define semilunar_shell_equilibrium_h
 
+#include <semilunar/core/timers.h>
 #include <semilunar/shell/assembly.h>
 #include <semilunar/shell/contact.h>
 #include <semilunar/shell/equations.h>
@@ -18,14 +19,15 @@ namespace semilunar::shell
     /// @param pressure    follower pressure at load factor one
     /// @param dead_forces on the control points at load factor one
     /// @param contact     may be null
+    /// @param timers      get the phases "assembly", "contact" and "linear solver"
     Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
                 const Equations &equations, const Assembly &assembly, double pressure,
-                const ControlVectors &dead_forces, Contact *contact);
+                const ControlVectors &dead_forces, Contact *contact, Timers &timers);
 
     unsigned int n_unknowns() const override { return equations.n_equations(); }
     double residual(const Vector &u, double load, Vector &r) override;
     void linearize(const Vector &u, double load, double shift) override;
-    void solve(Vector &right_hand_side) const override { matrix.solve(right_hand_side); }
+    void solve(Vector &right_hand_side) const override;
     const Vector &lumped_area() const override { return area; }
     void load_derivative(const Vector &u, double load, Vector &derivative) override;
     double largest_change() const override;
@@ -47,8 +49,9 @@ namespace semilunar::shell
     Vector area;
     const double load_norm; // of the external forces at load factor one
     double energy = 0.;
-    std::vector<std::pair<unsigned int, unsigned int>> element_pairs() const;
+    std::vector<std::pair<unsigned int, unsigned int>> touching_elements() const;
     const QuadraturePoints &points;
+    Timers &timers;
   };
 } // namespace semilunar::shell
 
