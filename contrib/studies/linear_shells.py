@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The linear shell obstacle course: error against equations and seconds, for degrees and meshes."""
+from study import Program, limit, order, parse_arguments, table
+
+# name, scene, quantity, reference; where the references come from is said in the scene files
+CASES = [
+    ("Scordelis-Lo roof", "scordelis-lo", "edge_uy", -0.3006),
+    ("Pinched cylinder with diaphragms", "pinched-cylinder", "load_uy", -1.8248e-5),
+    ("Pinched hemisphere, hole of 18 degrees", "pinched-hemisphere", "inward_uy", -0.0935),
+    ("Pinched hemisphere, closed", "pinched-hemisphere-closed", "inward_uy", -0.0924),
+]
+MESHES = (4, 8, 16, 32)
+DEGREES = (2, 3, 4)
+
+# name, scene for files, quantity, files, scene for patches, the same quantity there
+IMPORTED = [
+    ("Scordelis-Lo roof", "scordelis-lo-imported", "edge_uz",
+     ("geoQuarterRoofR2", "geoQuarterRoofR4"), "scordelis-lo", "edge_uy"),
+    ("Pinched cylinder with diaphragms", "pinched-cylinder-imported", "load_uz",
+     ("geoOctantCylinderR2", "geoOctantCylinderR3"), "pinched-cylinder", "load_uy"),
+    ("Pinched hemisphere, hole of 18 degrees", "pinched-hemisphere", "inward_uy",
+     ("geoHemisphereR1", "geoHemisphereR3", "geoHemisphereR4"), "pinched-hemisphere", "inward_uy"),
+    ("Tube under line load (not linear)", "cylinder-line-load-imported", "middle_uz",
+     ("geoCylinderLineLoad",), "cylinder-line-load", "middle_uy"),
+]
+FINE = "64,64"
+
+
+def seconds(run):
+    return f"{run.phases['set-up']:.3f}", f"{run.phases['solve'] - run.phases['output']:.3f}"
+
+
+def converge(program, name, scene, quantity, reference):
+    print(f"### {name}: `{quantity}`, reference {reference:g}\n")
+    rows = []
+    for degree in DEGREES:
+        runs = [program.run(scene, Surface__Degree=degree, Surface__Elements=f"{n},{n}")
+                for n in MESHES]
+        values = [run.quantities[quantity] for run in runs]
+        end = limit(*values[-3:])
+        errors = [value - end for value in values]
+        for k, (n, run) in enumerate(zip(MESHES, runs)):
+            rows.append([str(degree), f"{n} x {n}", f"{run.quantities['equations']:.0f}",
+                         f"{values[k]:.6g}", f"{100 * (values[k] / reference - 1):+.3f} %",
+                         f"{100 * errors[k] / end:+.4f} %",
+                         "-" if k == 0 else order(errors[k - 1], errors[k]), *seconds(run)])
+    table(["degree", "elements", "equations", "value", "to reference", "to own limit", "order",
+           "set-up [s]", "solve [s]"], rows)
+
+
+def compare_files(program, folder):
+    rows = []
+    for name, scene, quantity, files, patch_scene, patch_quantity in IMPORTED:
+        fine = program.run(patch_scene, Surface__Elements=FINE).quantities[patch_quantity]
+        for file in files:
+            run = program.run(scene, Surface__Source="iga",
+                              Surface__File=folder / f"{file}.iga")
+            value = run.quantities[quantity]
+            rows.append([name, file, f"{run.quantities['equations']:.0f}", f"{value:.6g}",
+                         f"{fine:.6g}", f"{100 * (value / fine - 1):+.3f} %"])
+    table(["problem", "file", "equations", "value", f"patch {FINE}", "difference"], rows)
+
+
+def main():
+    arguments = parse_arguments(__doc__)
+    program = Program(arguments.program)
+    for case in CASES:
+        converge(program, *case)
+    if arguments.iga:
+        print("### Surfaces from files\n")
+        compare_files(program, arguments.iga)
+
+
+if __name__ == "__main__":
+    main()
