@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/blas_threads.h>
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/version.h>
 #include <semilunar/scene/run_scene.h>
@@ -75,6 +76,7 @@ int main(int argc, char *argv[])
   // As many threads as there are cores per rank, or fewer by DEAL_II_NUM_THREADS.
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv,
                                                      dealii::numbers::invalid_unsigned_int);
+  semilunar::use_one_blas_thread();
   const int code = run({argv + 1, argv + argc});
   // An internal error may have hit this rank alone: do not leave the others waiting for it.
   if (code == internal_error && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
