@@ -4,31 +4,7 @@
 # usage: command_line.sh PROGRAM
 #
 # What the program says and returns to its caller: exit codes, one line on standard error, formats.
-# Runs in an empty folder.
-set -u
-program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-n_failures=0
-
-failed() {
-  echo "FAILED: $1"
-  sed 's/^/    /' err
-  n_failures=$((n_failures + 1))
-}
-
-# expect CODE TEXT ARGUMENT...: the program ends with this code; its only line on standard error
-# (none if CODE is 0) holds the text, otherwise standard output does.
-expect() {
-  local code=$1 text=$2 stream=err lines=1 actual=0
-  shift 2
-  [[ $code -eq 0 ]] && stream=out && lines=0
-  "$program" "$@" >out 2>err </dev/null || actual=$?
-  [[ $actual -eq $code ]] || failed "$* ends with $actual, not $code"
-  [[ $(wc -l <err) -eq $lines ]] || failed "$* prints $(wc -l <err) lines on standard error"
-  [[ -z $text ]] || grep -qF -- "$text" $stream || failed "$* does not say '$text'"
-}
+source "$(dirname "$0")/expect.sh"
 
 cat >plate.prm <<'END'
 set Scene = geometry
@@ -117,5 +93,4 @@ expect 1 'truncated.iga:' plate.prm --set Surface/Source=iga --set Surface/File=
 sed '0,/^node /s/^node [^ ]*/node nan/' $iga >nan.iga
 expect 1 'not finite' plate.prm --set Surface/Source=iga --set Surface/File=nan.iga
 
-echo "$n_failures failures"
-[[ $n_failures -eq 0 ]]
+finish
