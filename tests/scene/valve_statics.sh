@@ -1,0 +1,70 @@
+#!/bin/bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# usage: valve_statics.sh PROGRAM PRM_FOLDER MPIEXEC
+#
+# The shipped valve scenes on coarse meshes: the figures a valve is judged by, and that they depend
+# neither on the number of threads nor on that of ranks, which repeat the same calculation.
+scenes=$(realpath "$2")
+mpiexec=$3
+source "$(dirname "$0")/expect.sh"
+export DEAL_II_NUM_THREADS=1
+unset OPENBLAS_NUM_THREADS # one, unless the environment asks for more
+
+# valve RUN SCENE N: leaflets of N x N elements.
+valve() {
+  expect 0 'step 1: load factor 1' "$scenes/$2.prm" --output "$1" \
+    --set "Valve/Elements along=$3" --set "Valve/Elements across=$3"
+}
+
+# same RUN OTHER: bit for bit.
+same() {
+  local file
+  for file in timeseries.csv shell-0001.vtu; do
+    cmp -s "$1/$file" "$2/$file" || failed "$1 and $2 differ in $file"
+  done
+  cmp -s <(quantities "$1") <(quantities "$2") || failed "$1 and $2 differ in their quantities"
+}
+
+# The same for all: three equal leaflets stay equal, penetration is small.
+expect_sound() {
+  expect_between "$1" rotational_asymmetry 0 1e-6
+  expect_between "$1" largest_penetration_of_thickness 0 0.05
+  awk -F, 'NR == 2 { good = $1 == 1 && $3 <= 1e-8 } END { exit !good }' "$1/timeseries.csv" ||
+    failed "$1: no equilibrium at the full load"
+}
+
+# Closed: figures of this mesh, 2 % around those found first; no opening is left.
+valve closed closure 10
+expect_sound closed
+expect_between closed max_mipe 0.265 0.276
+expect_between closed coaptation_area 0.348 0.362
+expect_between closed orifice_area 0 2e-3
+
+DEAL_II_NUM_THREADS=2 valve closed_by_2_threads closure 10
+same closed closed_by_2_threads
+
+whole_program=$program
+cat >by_2_ranks <<END_SCRIPT
+#!/bin/bash
+exec "$mpiexec" -n 2 "$whole_program" "\$@"
+END_SCRIPT
+chmod +x by_2_ranks
+program=$folder/by_2_ranks
+valve closed_by_2_ranks closure 10
+same closed closed_by_2_ranks
+program=$whole_program
+
+# The material that does not stiffen closes as well and strains more (Hsu et al. 2015).
+valve closed_svk closure-svk 10
+expect_sound closed_svk
+expect_between closed_svk orifice_area 0 2e-3
+expect_between closed_svk max_mipe "$(awk -v x="$(quantity closed max_mipe)" 'BEGIN { print 1.2 * x }')" 0.7
+
+# Open: most of the 3.92 cm^2 within the stent.
+valve open opening 8
+expect_sound open
+expect_between open orifice_area 1.5 3.9
+expect_between open coaptation_area 0 0
+
+finish
