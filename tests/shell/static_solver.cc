@@ -102,6 +102,12 @@ namespace
       check_true(name + ", counts",
                  sum == run.iterations && system.accepted.size() == run.steps.size());
     }
+    // a stiffness that is too large makes every step slow: ten equal ones, whose sum is not quite 1
+    AlgebraicSystem slow =
+        springs(f, [](const double u) { return 1.2 * slope(u); }, {{f(2.), f(-0.5)}});
+    const Run equal_steps(slow, parameters(10));
+    check_true("slow steps do not grow", equal_steps.steps.size() == 10);
+    check("slow steps, load factor exactly 1", equal_steps.last_load() - 1., 0.);
     // 0.2 + 0.3 + 0.45: what remains is less than the smallest step
     AlgebraicSystem system = springs(f, slope, {{f(2.), f(-0.5)}});
     const Run run(system, parameters(5, 0.1));
