@@ -24,42 +24,44 @@ IMPORTED = [
     ("Tube under line load (not linear)", "cylinder-line-load-imported", "middle_uz",
      ("geoCylinderLineLoad",), "cylinder-line-load", "middle_uy"),
 ]
-FINE = "64,64"
+FINE = {"Surface__Elements": "32,32", "Surface__Degree": 4}
 
 
 def seconds(run):
-    return f"{run.phases['set-up']:.3f}", f"{run.phases['solve'] - run.phases['output']:.3f}"
+    return [f"{run.phases[name]:.3f}" for name in ("set-up", "assembly", "linear solver")]
 
 
 def converge(program, name, scene, quantity, reference):
     print(f"### {name}: `{quantity}`, reference {reference:g}\n")
+    runs = {degree: [program.run(scene, Surface__Degree=degree, Surface__Elements=f"{n},{n}")
+                     for n in MESHES] for degree in DEGREES}
+    finest = [run.quantities[quantity] for run in runs[DEGREES[-1]][-3:]]
+    end = limit(*finest)
+    print(f"Limit of degree {DEGREES[-1]}: {end:.7g}\n")
     rows = []
     for degree in DEGREES:
-        runs = [program.run(scene, Surface__Degree=degree, Surface__Elements=f"{n},{n}")
-                for n in MESHES]
-        values = [run.quantities[quantity] for run in runs]
-        end = limit(*values[-3:])
-        errors = [value - end for value in values]
-        for k, (n, run) in enumerate(zip(MESHES, runs)):
+        errors = [run.quantities[quantity] - end for run in runs[degree]]
+        for k, (n, run) in enumerate(zip(MESHES, runs[degree])):
+            value = run.quantities[quantity]
             rows.append([str(degree), f"{n} x {n}", f"{run.quantities['equations']:.0f}",
-                         f"{values[k]:.6g}", f"{100 * (values[k] / reference - 1):+.3f} %",
-                         f"{100 * errors[k] / end:+.4f} %",
+                         f"{value:.6g}", f"{100 * (value / reference - 1):+.3f} %",
+                         f"{100 * errors[k] / end:+.5f} %",
                          "-" if k == 0 else order(errors[k - 1], errors[k]), *seconds(run)])
-    table(["degree", "elements", "equations", "value", "to reference", "to own limit", "order",
-           "set-up [s]", "solve [s]"], rows)
+    table(["degree", "elements", "equations", "value", "to reference", "to limit", "order",
+           "set-up [s]", "assembly [s]", "linear solver [s]"], rows)
 
 
 def compare_files(program, folder):
     rows = []
     for name, scene, quantity, files, patch_scene, patch_quantity in IMPORTED:
-        fine = program.run(patch_scene, Surface__Elements=FINE).quantities[patch_quantity]
+        fine = program.run(patch_scene, **FINE).quantities[patch_quantity]
         for file in files:
             run = program.run(scene, Surface__Source="iga",
                               Surface__File=folder / f"{file}.iga")
             value = run.quantities[quantity]
             rows.append([name, file, f"{run.quantities['equations']:.0f}", f"{value:.6g}",
                          f"{fine:.6g}", f"{100 * (value / fine - 1):+.3f} %"])
-    table(["problem", "file", "equations", "value", f"patch {FINE}", "difference"], rows)
+    table(["problem", "file", "equations", "value", "patch, degree 4, 32 x 32", "difference"], rows)
 
 
 def main():
