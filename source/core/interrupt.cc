@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/interrupt.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <csignal>
 
 namespace semilunar
@@ -24,6 +26,6 @@ namespace semilunar
 
   bool interrupted()
   {
-    return signal_received != 0;
+    return dealii::Utilities::MPI::max(signal_received != 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
   }
 } // namespace semilunar

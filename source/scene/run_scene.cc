@@ -8,8 +8,6 @@
 #include <semilunar/scene/registry.h>
 #include <semilunar/scene/run_scene.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <ostream>
 
@@ -43,8 +41,7 @@ namespace semilunar::scene
       output::create_run_folder(context.folder);
       output::write_parameters(context.folder, prm, version());
       scene.run(context);
-      // Wherever the signal arrived: all ranks stop, or none.
-      if (dealii::Utilities::MPI::max(interrupted() ? 1 : 0, MPI_COMM_WORLD) == 1)
+      if (interrupted())
         throw NumericsError("the run was interrupted",
                             "step " + std::to_string(context.results.steps),
                             context.folder.string());

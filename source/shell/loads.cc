@@ -102,7 +102,7 @@ namespace semilunar::shell
   double LoadParameters::follower_pressure() const
   {
     if (pressure != 0. && pressure_mmhg != 0.)
-      throw InputError("Loads/Pressure", std::to_string(pressure), "the pressure is given twice",
+      throw InputError("Loads/Pressure", "", "the pressure is given twice",
                        "give either Pressure or Pressure in mmHg");
     return pressure + mmHg * pressure_mmhg;
   }

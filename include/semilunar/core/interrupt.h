@@ -8,7 +8,8 @@ namespace semilunar
   /// accepted step with all files in order. A second signal ends the program at once.
   void catch_interrupts();
 
-  /// Whether such a signal has come.
+  /// Whether such a signal has come to any rank. Collective: all ranks get the same answer, so that
+  /// they stop together.
   bool interrupted();
 } // namespace semilunar
 
