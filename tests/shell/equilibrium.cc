@@ -149,6 +149,10 @@ namespace
     inflated.residual(inflated.u, 0.5);
     check("norm of pressure on the deformed shell", inflated.force / norm(forces) - 1., 1e-9);
 
+    Panel both("top: (3e3, 0, 4e3)", pressure);
+    both.residual(zero, 0.5);
+    check("norm of both", both.force / norm(sum(forces, -0.5, both.dead)) - 1., 1e-9);
+
     // no loads: reactions in all prescribed components
     Panel moved;
     const Vector r = moved.residual(moved.u, 0.5);
