@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/shell/assembly.h>
 #include <semilunar/shell/element_matrix.h>
 #include <semilunar/shell/tangent_frame.h>
 
 #include <deal.II/base/work_stream.h>
 
+#include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace semilunar::shell
 {
@@ -36,6 +39,28 @@ namespace semilunar::shell
         for (unsigned int i = 0; i < 3; ++i)
           rows[i * stride + a] = x[element.control_points[a]][i];
     }
+    /// Larger absolute value of the two principal curvatures, b in an orthonormal frame.
+    double largest_curvature(const Symmetric &b)
+    {
+      const double mean = 0.5 * (b[0] + b[1]);
+      return std::abs(mean) + std::hypot(0.5 * (b[0] - b[1]), b[2]);
+    }
+
+    /// The metric 1 - 2 xi b0 must be positive definite through the thickness.
+    void check_curvature(const Symmetric &b0, const double thickness, const Tensor<1, 3> &place)
+    {
+      const double curvature = largest_curvature(b0);
+      if (!(curvature * thickness < 1.))
+      {
+        std::ostringstream where;
+        where << "(" << place[0] << ", " << place[1] << ", " << place[2] << ")";
+        throw InputError("Shell/Thickness", std::to_string(thickness),
+                         "the undeformed surface is bent too tightly for a shell this thick near " +
+                             where.str(),
+                         "its radius of curvature there is " + std::to_string(1. / curvature) +
+                             ": make the shell thinner than that, or the surface rounder");
+      }
+    }
   } // namespace
 
   Assembly::Assembly(const Surface &surface, const QuadraturePoints &points, const Section &section,
@@ -52,6 +77,7 @@ namespace semilunar::shell
       {
         const SurfaceJet undeformed = jet(rows.data(), q);
         undeformed_b[q] = fundamental_forms(undeformed).b;
+        check_curvature(undeformed_b[q], section.thickness(), undeformed[value]);
         fibre_directions[q] = fibres(undeformed[value], points.frame(q));
       }
     }

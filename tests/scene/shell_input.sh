@@ -41,6 +41,10 @@ wrong Shell/Material '= "Fnug": the value is not allowed; give one of' Shell/Mat
 wrong 'Shell/Saint Venant-Kirchhoff/Poisson ratio' '= "0.5": out of range' \
   'Shell/Material=Saint Venant-Kirchhoff' 'Shell/Saint Venant-Kirchhoff/Poisson ratio=0.5'
 
+# A quarter of a cylinder that is thicker than its radius.
+wrong Shell/Thickness 'the undeformed surface is bent too tightly for a shell this thick near (' \
+  Surface/Source=cylinder Surface/Cylinder/Radius=1 Shell/Thickness=1.5
+
 # supports LIST TEXT: a list of supports is refused with this text.
 supports() { wrong Supports/Supports "$2" "Supports/Supports=$1"; }
 

@@ -19,6 +19,7 @@ namespace semilunar::shell
     using FibreField = std::function<std::array<double, 2>(
         const spline::Tensor<1, 3> &position, const std::array<spline::Tensor<1, 3>, 2> &frame)>;
 
+    /// @throws InputError if the surface is bent more tightly than the section is thick
     Assembly(const spline::Surface &surface, const QuadraturePoints &points, const Section &section,
              const FibreField &fibres);
 
