@@ -91,9 +91,14 @@ namespace semilunar::shell
           const double load_change = load_correction(change, arc);
           if (!std::isfinite(load_change))
             break;
+          correction.add(load_change, tangent);
           change += correction;
-          change.add(load_change, tangent);
           new_load += load_change;
+          if (correction.linfty_norm() <= system.smallest_change())
+          {
+            ++corrections;
+            return new_load; // rounding of the internal forces is all that is left
+          }
         }
         return std::nan("");
       }

@@ -156,6 +156,15 @@ namespace semilunar::shell
     derivative.sadd(-0.5 / step, 0.5 / step, forward);
   }
 
+  double Equilibrium::smallest_change() const
+  {
+    constexpr double n_units_in_last_place = 16.;
+    double largest = 0.;
+    for (const auto &point : undeformed)
+      largest = std::max(largest, point.norm());
+    return n_units_in_last_place * std::numeric_limits<double>::epsilon() * largest;
+  }
+
   double Equilibrium::largest_change() const
   {
     return contact == nullptr ? std::numeric_limits<double>::infinity()

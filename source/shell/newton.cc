@@ -115,6 +115,8 @@ namespace semilunar::shell
       du = current.r;
       du *= -1.;
       system.solve(du);
+      if (du.linfty_norm() <= system.smallest_change())
+        break; // rounding of the internal forces is all that is left
       search_line(system, load, current, du, fraction_within(system, du), next);
       std::swap(current, next);
     }

@@ -118,9 +118,12 @@ namespace semilunar::shell
     prm.add_parameter("Smallest load step", smallest_load_step,
                       "The solver gives up below this change of the load factor.",
                       Patterns::Double(1e-12, 1.));
-    prm.add_parameter("Tolerance", tolerance,
-                      "Norm of the residual relative to that of reactions and dead forces.",
-                      Patterns::Double(1e-14, 1e-2));
+    prm.add_parameter(
+        "Tolerance", tolerance,
+        "Norm of the residual relative to that of the forces at full load, or of the "
+        "reactions if displacements drive the shell. A state that rounding keeps from "
+        "getting better is taken, too.",
+        Patterns::Double(1e-14, 1e-2));
     prm.add_parameter("Iterations", max_iterations, "Newton iterations per load step at most.",
                       Patterns::Integer(1));
     prm.add_parameter("Pseudo-transient steps", max_pseudo_steps, "Per load step at most.",

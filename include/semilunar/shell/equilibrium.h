@@ -31,6 +31,7 @@ namespace semilunar::shell
     const Vector &lumped_area() const override { return area; }
     void load_derivative(const Vector &u, double load, Vector &derivative) override;
     double largest_change() const override;
+    double smallest_change() const override;
     void accept(const Vector &u, double load) override;
 
     /// Positions of the control points.

@@ -32,6 +32,9 @@ namespace semilunar::shell
     /// The largest change of any unknown that one step may make (infinite if there is no bound).
     virtual double largest_change() const = 0;
 
+    /// Changes of all unknowns up to this size are lost in rounding: no better solution exists.
+    virtual double smallest_change() const { return 0.; }
+
     /// The state (u, load) is a solution: remember what depends on history.
     virtual void accept(const Vector &u, double load) = 0;
   };
