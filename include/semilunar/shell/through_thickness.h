@@ -4,6 +4,7 @@
 
 #include <semilunar/shell/materials/material_response.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -56,7 +57,8 @@ namespace semilunar::shell
     static bool is_admissible(const ThicknessPoint &point)
     {
       return point.undeformed_admissible &&
-             (point.deformed_admissible || Law::admits_any_deformation);
+             (point.deformed_admissible ||
+              (Law::admits_any_deformation && std::isfinite(point.determinant)));
     }
 
     template <bool with_tangent>
