@@ -24,6 +24,7 @@ namespace semilunar::tests
     std::function<Two(const Two &u, double load)> force_by_load;
     double scale = 1.; ///< what the residual is compared with
     double limit = std::numeric_limits<double>::infinity();
+    double noise = 0.; ///< changes up to this size are rounding
     Vector area = vector({{1., 1.}});
 
     std::vector<double> norms;    ///< of the residuals asked for
@@ -67,6 +68,7 @@ namespace semilunar::tests
     }
 
     double largest_change() const override { return limit; }
+    double smallest_change() const override { return noise; }
     void accept(const Vector &, const double load) override { accepted.push_back(load); }
 
     /// The largest change of an unknown between two states linearised at.

@@ -114,6 +114,19 @@ namespace
     check("Newton, edge of the admissible states, residual", system.norms.back(), 1e-12);
   }
 
+  /// A residual that jumps by 2e-7 at the solution, as rounding makes it.
+  void check_noise()
+  {
+    AlgebraicSystem system = springs([](const double u) { return u + (u < 1. ? -1e-7 : 1e-7); },
+                                     [](const double) { return 1.; }, {{1., 1.}});
+    Vector u = at(0., 0.);
+    check_true("Newton, noise above the tolerance",
+               !solve_newton(system, 1., u, {1e-12, 30}).converged);
+    system.noise = 1e-6;
+    check_true("Newton, noise accepted", solve_newton(system, 1., u, {1e-12, 30}).converged);
+    check("Newton, noise accepted, solution", distance(u, 1., 1.), 1e-6);
+  }
+
   using Solver = IterationResult (&)(NonlinearSystem &, double, Vector &,
                                      const IterationParameters &);
 
@@ -232,6 +245,7 @@ int main()
 {
   check_rate();
   check_wall();
+  check_noise();
   check_failures();
   check_bounded_steps();
   check_wells();
