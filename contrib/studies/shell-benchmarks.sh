@@ -8,7 +8,7 @@
 set -eu
 source "$(dirname "$0")/../prepare.sh"
 
-packages+=(python3-minimal)
+packages+=(python3)
 prepare semilunar
 export PYTHONDONTWRITEBYTECODE=1
 "$build/semilunar" --version
