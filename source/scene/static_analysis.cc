@@ -6,6 +6,7 @@
 #include <semilunar/scene/shell_output.h>
 #include <semilunar/scene/static_analysis.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -99,6 +100,7 @@ namespace semilunar::scene
     ShellOutput files(context.folder, model, vtu);
     std::string last_file = files.write(0., model.equilibrium.positions(u, 0.));
     shell::ControlVectors x = spline::positions(model.surface);
+    double load = 0.; // of the last accepted state
     const auto accepted = [&](const shell::LoadStep &step, const shell::Equilibrium::Vector &state)
     {
       const Timers::Scope timer(context.timers, "output");
@@ -106,14 +108,22 @@ namespace semilunar::scene
       last_file = files.write(step.load, x);
       series.add_row(row(step, model, x, points));
       context.results.steps = step.number;
+      load = step.load;
       context.log.line(describe(step));
       context.log.progress("loading", step.load);
+    };
+    // Within a step, the decades that the residual has fallen tell how far the iteration is.
+    const auto observe = [&](const double residual)
+    {
+      const double decades = std::log10(residual) / std::log10(solver.tolerance);
+      const double step = std::min(1. / solver.n_load_steps, 1. - load);
+      context.log.progress("loading", load + 0.99 * step * std::clamp(decades, 0., 1.));
     };
     try
     {
       const Timers::Scope timer(context.timers, "solve");
       context.results.newton_iterations =
-          solve_static(model.equilibrium, u, solver, {accepted, interrupted});
+          solve_static(model.equilibrium, u, solver, {accepted, interrupted, observe});
     }
     catch (const NumericsError &error)
     {

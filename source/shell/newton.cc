@@ -86,6 +86,7 @@ namespace semilunar::shell
     for (;; ++result.iterations)
     {
       result.residual = current.norm;
+      parameters.observe(result.residual);
       if (!current.finite())
       {
         result.failure = "the residual is not finite";

@@ -135,6 +135,7 @@ namespace semilunar::shell
             "no equilibrium after " + std::to_string(result.iterations) + " pseudo-transient steps";
         return result;
       }
+      parameters.observe(result.residual);
       rejections = path.step() ? 0 : rejections + 1;
       ++result.iterations;
     }

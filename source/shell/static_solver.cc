@@ -41,9 +41,9 @@ namespace semilunar::shell
         {
           method = "Newton";
           Vector trial = guess;
-          result = count(
-              solve_newton(system, load, trial,
-                           {parameters.tolerance, parameters.max_iterations, hooks.interrupted}));
+          result = count(solve_newton(
+              system, load, trial,
+              {parameters.tolerance, parameters.max_iterations, hooks.interrupted, hooks.observe}));
           if (result.converged && !within_reach(u, trial))
           {
             result.converged = false;
@@ -55,9 +55,9 @@ namespace semilunar::shell
         if (!result.converged && parameters.method != "Newton")
         {
           method = "pseudo-transient";
-          result = count(solve_pseudo_transient(
-              system, load, u,
-              {parameters.tolerance, parameters.max_pseudo_steps, hooks.interrupted}));
+          result = count(solve_pseudo_transient(system, load, u,
+                                                {parameters.tolerance, parameters.max_pseudo_steps,
+                                                 hooks.interrupted, hooks.observe}));
         }
         return result;
       }

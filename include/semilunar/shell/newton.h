@@ -14,6 +14,8 @@ namespace semilunar::shell
     double tolerance = 1e-8; ///< of the residual's norm relative to the forces
     unsigned int max_iterations = 30;
     std::function<bool()> interrupted = [] { return false; }; ///< polled once per iteration
+    /// Told the relative residual once per iteration.
+    std::function<void(double)> observe = [](double) {};
   };
 
   struct IterationResult

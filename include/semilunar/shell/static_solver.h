@@ -36,6 +36,8 @@ namespace semilunar::shell
   {
     std::function<void(const LoadStep &, const NonlinearSystem::Vector &u)> accepted;
     std::function<bool()> interrupted = [] { return false; };
+    /// Told the relative residual of each iteration towards the next accepted state.
+    std::function<void(double)> observe = [](double) {};
   };
 
   /// Bring the load factor from 0 to 1. Load steps shrink where the iteration fails and grow where
