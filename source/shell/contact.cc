@@ -163,6 +163,9 @@ namespace semilunar::shell
 
   void Contact::update(const std::vector<Tensor<1, 3>> &x)
   {
+    if (x == found_at)
+      return;
+    found_at = x;
     near.clear();
     details.clear();
     active.clear();
@@ -179,6 +182,7 @@ namespace semilunar::shell
 
   void Contact::accept()
   {
+    found_at.clear(); // with other sides remembered, the same positions may mean other contacts
     std::vector<SideMemory::Entry> entries;
     for (unsigned int i = 0; i < near.size(); ++i)
     {

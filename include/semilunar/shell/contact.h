@@ -58,7 +58,8 @@ namespace semilunar::shell
             const ContactParameters &parameters);
 
     /// Find the partners of all points with control points at @p x. Everything below refers to this
-    /// state. If x is not finite, there are no contact points and the energy is NaN.
+    /// state, and asking again for the same one costs nothing. If x is not finite, there are no
+    /// contact points and the energy is NaN.
     void update(const std::vector<spline::Tensor<1, 3>> &x);
 
     /// All points within reach() of another part in ascending order of q, touching or not.
@@ -125,6 +126,7 @@ namespace semilunar::shell
     std::map<std::pair<unsigned int, unsigned int>, double>
         undeformed_distances; // of points (q, part) closer than the contact distance
 
+    std::vector<spline::Tensor<1, 3>> found_at; // positions of the last update, none if outdated
     bool is_finite = false;
     unsigned long projections = 0;
     std::vector<ContactPoint> near;
