@@ -115,6 +115,9 @@ namespace semilunar::shell
 
       void symmetry(const Location &place, const std::string &axis_word)
       {
+        if (place.axis && !axis_word.empty())
+          throw InputError(entry, place.text + " " + axis_word, "a plane has its own normal",
+                           "write symmetry " + place.text);
         if (!place.axis && axis_word.size() != 1)
           throw InputError(entry, place.text, "the normal of the symmetry plane is missing",
                            "write symmetry PLANE, or symmetry SET x");

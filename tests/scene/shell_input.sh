@@ -57,6 +57,7 @@ supports 'clamp left; pin rigth' \
   '"rigth": the surface has no such node set; its node sets are left, right, bottom, top'
 supports 'clamp x=2' '"x=2": no control point lies in this plane'
 supports 'weld left' '"weld left": this support is not understood; the verbs are: fix'
+supports 'symmetry x=0 y' '"x=0 y": a plane has its own normal; write symmetry x=0'
 supports 'clamp' '"clamp": this support is not understood'
 supports 'clamp left; fix right xw' '"xw": these are not components'
 
