@@ -36,28 +36,24 @@ namespace semilunar::shell
       bool finite() const { return std::isfinite(norm) && std::isfinite(work); }
     };
 
-    /// Find a fraction of du that brings the work of the residual near zero (regula falsi,
-    /// Illinois).
+    /// Find a fraction of du that brings the work of the residual near zero: secants from the
+    /// start.
     void search_line(NonlinearSystem &system, const double load, const Trial &start,
                      const Vector &du, double fraction, Trial &trial)
     {
       const double work_0 = du * start.r;
-      double low = 0., high = fraction, work_low = work_0;
       for (unsigned int k = 0; k < max_searches; ++k)
       {
         trial.evaluate(system, load, start.u, du, fraction);
         if (!trial.finite())
-          high = fraction *= 0.25;
+          fraction *= 0.25;
         else if (trial.norm < start.norm ||
                  std::abs(trial.work) <= sufficient_decrease * std::abs(work_0))
           return;
-        else if (trial.work * work_low > 0.)
+        else if (trial.work * work_0 > 0.)
           return; // no sign change ahead: further along is better
         else
-        {
-          high = fraction;
-          fraction = std::max(low + (high - low) * work_low / (work_low - trial.work), 0.1 * high);
-        }
+          fraction *= std::max(work_0 / (work_0 - trial.work), 0.1);
       }
     }
 
