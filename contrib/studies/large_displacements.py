@@ -87,7 +87,7 @@ def hinged_roof(program):
         lowest = min(path)
         # in units of the path's largest values
         worst = max(distance(point, path, (1.0, ROOF_PATH[-1][1])) for point in ROOF_PATH)
-        rows.append([f"{n} x {n}", f"{run.quantities['equations']:.0f}", str(len(run.rows)),
+        rows.append([f"{n} x {n}", f"{run.unknowns}", str(len(run.rows)),
                      f"{run.iterations}", f"{peak[0]:.4f} at {peak[1]:.2f}",
                      f"{lowest[0]:.4f} at {lowest[1]:.2f}", f"{path[-1][1]:.3f}",
                      f"{100 * worst:.2f} %",

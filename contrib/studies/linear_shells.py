@@ -43,7 +43,7 @@ def converge(program, name, scene, quantity, reference):
         errors = [run.quantities[quantity] - end for run in runs[degree]]
         for k, (n, run) in enumerate(zip(MESHES, runs[degree])):
             value = run.quantities[quantity]
-            rows.append([str(degree), f"{n} x {n}", f"{run.quantities['equations']:.0f}",
+            rows.append([str(degree), f"{n} x {n}", f"{run.unknowns}",
                          f"{value:.6g}", f"{100 * (value / reference - 1):+.3f} %",
                          f"{100 * errors[k] / end:+.5f} %",
                          "-" if k == 0 else order(errors[k - 1], errors[k]), *seconds(run)])
@@ -59,7 +59,7 @@ def compare_files(program, folder):
             run = program.run(scene, Surface__Source="iga",
                               Surface__File=folder / f"{file}.iga")
             value = run.quantities[quantity]
-            rows.append([name, file, f"{run.quantities['equations']:.0f}", f"{value:.6g}",
+            rows.append([name, file, f"{run.unknowns}", f"{value:.6g}",
                          f"{fine:.6g}", f"{100 * (value / fine - 1):+.3f} %"])
     table(["problem", "file", "equations", "value", "patch, degree 4, 32 x 32", "difference"], rows)
 

@@ -20,6 +20,7 @@ class Run:
         self.quantities = {name: q["value"] for name, q in summary["quantities"].items()}
         self.phases = summary["phases"]
         self.iterations = summary["cost"]["newton_iterations"]
+        self.unknowns = summary["cost"]["unknowns"]
         self.version = summary["version"]
         self.rows = rows  # of timeseries.csv, by the names of the columns without units
 
@@ -42,7 +43,7 @@ class Program:
                 sys.exit(f"{' '.join(command)}\n{finished.stderr}")
             summary = Path(folder) / "summary.json"
             empty = {"quantities": {}, "phases": {}, "version": "",
-                     "cost": {"newton_iterations": math.nan}}
+                     "cost": {"newton_iterations": math.nan, "unknowns": 0}}
             return Run(json.loads(summary.read_text()) if summary.exists() else empty,
                        read_rows(Path(folder) / "timeseries.csv"))
 

@@ -9,9 +9,9 @@ namespace semilunar
 {
   namespace
   {
-    const std::vector<std::string> options = {
-        "--set",  "--output",  "--dry-run",     "--quiet",
-        "--help", "--version", "--list-scenes", "--print-parameters"};
+    const std::vector<std::string> options = {"--set",     "--output",      "--levels",
+                                              "--dry-run", "--quiet",       "--help",
+                                              "--version", "--list-scenes", "--print-parameters"};
 
     const std::map<std::string, ParameterFormat> formats = {
         {"prm", ParameterFormat::prm},
@@ -55,12 +55,23 @@ namespace semilunar
       result.format = formats.at(format);
     }
 
+    unsigned int parse_n_levels(Arguments &arguments)
+    {
+      const std::string &number = arguments.value_of("--levels", "the number of levels");
+      if (number.size() != 1 || number[0] < '2' || number[0] > '9')
+        throw InputError("--levels", number, "this is no number of levels",
+                         "give a whole number from 2 to 9; three and more show the order");
+      return number[0] - '0';
+    }
+
     void parse_option(const std::string &option, Arguments &arguments, CommandLine &result)
     {
       if (option == "--set")
         result.overrides.push_back(arguments.value_of(option, "\"Section/Entry=value\""));
       else if (option == "--output")
         result.output_folder = arguments.value_of(option, "the folder");
+      else if (option == "--levels")
+        result.n_levels = parse_n_levels(arguments);
       else if (option == "--dry-run")
         result.dry_run = true;
       else if (option == "--quiet")
@@ -104,6 +115,8 @@ namespace semilunar
 
   --set "Section/Entry=value"  change an entry of the scene file (may be repeated)
   --output FOLDER              where to write (default: results/SCENE)
+  --levels N                   run at N resolutions, each finer by what the scene's section Levels
+                               says, and report speed against error
   --dry-run                    read and build everything, report sizes, compute and write nothing
   --quiet                      print nothing but errors
 

@@ -151,14 +151,21 @@ namespace semilunar
                        "write --set \"Section/Entry=value\"");
     const Assignment replacement = {path, trim(argument.substr(equals + 1)), "--set",
                                     std::filesystem::current_path().string()};
-    const auto same = std::find_if(entries.begin(), entries.end(),
-                                   [&](const Assignment &entry) { return entry.path == path; });
+    const Assignment *const earlier = find(path);
+    if (earlier && earlier->where == "--set")
+      throw InputError("--set, " + path, replacement.value,
+                       "the entry was set before, to \"" + earlier->value + "\"",
+                       "keep one of the two");
+    replace(replacement);
+  }
+
+  void ParameterInput::replace(const Assignment &replacement)
+  {
+    const auto same =
+        std::find_if(entries.begin(), entries.end(),
+                     [&](const Assignment &entry) { return entry.path == replacement.path; });
     if (same == entries.end())
       entries.push_back(replacement);
-    else if (same->where == "--set")
-      throw InputError("--set, " + path, replacement.value,
-                       "the entry was set before, to \"" + same->value + "\"",
-                       "keep one of the two");
     else
       *same = replacement;
   }

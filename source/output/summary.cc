@@ -40,6 +40,21 @@ namespace semilunar::output
       return text.str();
     }
 
+    std::string json(const Quantity &quantity)
+    {
+      std::string result =
+          "{\"value\": " + json(quantity.value) + ", \"unit\": " + json(quantity.unit);
+      const auto add_if_known = [&](const std::string &name, const double number)
+      {
+        if (!std::isnan(number))
+          result += ", " + json(name) + ": " + json(number);
+      };
+      add_if_known("reference", quantity.reference);
+      add_if_known("error", quantity.error);
+      add_if_known("order", quantity.order);
+      return result + "}";
+    }
+
     /// The members of an object, one per line.
     class Object
     {
@@ -66,12 +81,12 @@ namespace semilunar::output
   {
     Object quantities("  ");
     for (const Quantity &quantity : summary.results.quantities)
-      quantities.add(quantity.name, "{\"value\": " + json(quantity.value) +
-                                        ", \"unit\": " + json(quantity.unit) + "}");
+      quantities.add(quantity.name, json(quantity));
     Object cost("  ");
     cost.add("wall_s", json(summary.cost.wall_seconds));
     cost.add("cpu_s", json(summary.cost.cpu_seconds));
     cost.add("peak_memory_mib", json(summary.cost.peak_memory_mib));
+    cost.add("unknowns", std::to_string(summary.results.unknowns));
     cost.add("steps", std::to_string(summary.results.steps));
     cost.add("newton_iterations", std::to_string(summary.results.newton_iterations));
     Object phases("  ");

@@ -51,6 +51,8 @@ namespace semilunar::scene
                       "Kind of scene: " + found->second.description + ".");
     std::unique_ptr<Scene> scene = found->second.create();
     scene->add_parameters(prm);
+    scene->levels.finer = scene->finer();
+    scene->levels.add_parameters(prm);
     return scene;
   }
 

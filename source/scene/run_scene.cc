@@ -3,9 +3,9 @@
 #include <semilunar/core/interrupt.h>
 #include <semilunar/core/nearest_name.h>
 #include <semilunar/core/version.h>
-#include <semilunar/output/run_folder.h>
-#include <semilunar/output/summary.h>
 #include <semilunar/scene/registry.h>
+#include <semilunar/scene/run_levels.h>
+#include <semilunar/scene/run_once.h>
 #include <semilunar/scene/run_scene.h>
 
 #include <algorithm>
@@ -35,22 +35,6 @@ namespace semilunar::scene
       return fs::path("results") / fs::path(command_line.scene_file).stem();
     }
 
-    void run_in_folder(Scene &scene, RunContext &context, const std::string &kind,
-                       const dealii::ParameterHandler &prm)
-    {
-      output::create_run_folder(context.folder);
-      output::write_parameters(context.folder, prm, version());
-      scene.run(context);
-      if (interrupted())
-        throw NumericsError("the run was interrupted",
-                            "step " + std::to_string(context.results.steps),
-                            context.folder.string());
-      output::write_summary(context.folder, {kind, context.results, context.timers.cost(),
-                                             context.timers.seconds(), version()});
-      context.log.line("done in " + duration(context.timers.cost().wall_seconds) + ", results in " +
-                       context.folder.string());
-    }
-
     /// The scene files of a kind, relative to the current directory if they lie below it.
     std::vector<std::string> scene_files(const std::string &kind)
     {
@@ -73,31 +57,18 @@ namespace semilunar::scene
   void run_scene(const CommandLine &command_line)
   {
     const ParameterInput input = read_input(command_line);
-    const std::string kind = input.find("Scene")->value;
-    dealii::ParameterHandler prm;
-    const std::unique_ptr<Scene> scene = declare_scene(kind, input.locate("Scene"), prm);
-    assign(input, prm, kinds_with_section);
-
+    const fs::path folder = output_folder(command_line);
     Log log(command_line.quiet);
-    Timers timers;
-    RunContext context{output_folder(command_line), command_line.dry_run, log, timers};
+    const Timers timers;
     log.line(version());
     catch_interrupts();
-    try
-    {
-      scene->check();
-      if (command_line.dry_run)
-      {
-        scene->run(context);
-        log.line("dry run: the scene can be built; nothing was written");
-      }
-      else
-        run_in_folder(*scene, context, kind, prm);
-    }
-    catch (const InputError &error)
-    {
-      throw error.at(input.locate(error.where()));
-    }
+    if (command_line.n_levels > 0)
+      run_levels(input, command_line.n_levels, folder, command_line.dry_run, log);
+    else
+      run_once(input, folder, command_line.dry_run, log);
+    log.line(command_line.dry_run ? "dry run: the scene can be built; nothing was written"
+                                  : "done in " + duration(timers.cost().wall_seconds) +
+                                        ", results in " + folder.string());
   }
 
   void list_scenes(std::ostream &out)

@@ -70,8 +70,7 @@ namespace semilunar::scene
                          {"max_mipe_x", position[0], "length"},
                          {"max_mipe_y", position[1], "length"},
                          {"max_mipe_z", position[2], "length"},
-                         {"strain_energy", model.equilibrium.strain_energy(), "force*length"},
-                         {"equations", double(model.equations.n_equations()), "-"}});
+                         {"strain_energy", model.equilibrium.strain_energy(), "force*length"}});
       probes.add_quantities(x, results);
     }
   } // namespace
@@ -92,6 +91,7 @@ namespace semilunar::scene
   {
     const Probes points(probes, model.surface, "Output/Probes");
     report_size(model, context.log);
+    context.results.unknowns = model.equations.n_equations();
     shell::Equilibrium::Vector u(model.equations.n_equations());
     if (context.dry_run)
       return model.equilibrium.positions(u, 0.);

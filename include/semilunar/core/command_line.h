@@ -22,6 +22,7 @@ namespace semilunar
     std::string scene_file;
     std::vector<std::string> overrides; ///< "Section/Entry=value"
     std::string output_folder;          ///< "" if not given
+    unsigned int n_levels = 0;          ///< resolutions to compare; 0: a plain run
     bool dry_run = false;
     bool quiet = false;
     std::string kind; ///< whose parameters to print

@@ -40,6 +40,9 @@ namespace semilunar
     /// @throws InputError if it does not have this form or the same entry was given before.
     void override_with(const std::string &argument);
 
+    /// Replace or add an assignment.
+    void replace(const Assignment &replacement);
+
     const std::vector<Assignment> &assignments() const { return entries; }
     /// The sections the file opens, including those without entries.
     const std::vector<SectionStart> &sections() const { return section_starts; }

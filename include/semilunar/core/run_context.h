@@ -6,6 +6,8 @@
 #include <semilunar/core/timers.h>
 
 #include <filesystem>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace semilunar
@@ -16,13 +18,17 @@ namespace semilunar
     std::string name; ///< as in max_mipe
     double value;     ///< NaN: does not exist
     std::string unit; ///< as in cm^2; "-" for pure numbers
+    double reference = std::numeric_limits<double>::quiet_NaN(); ///< exact or published, if known
+    double error = std::numeric_limits<double>::quiet_NaN();     ///< known or estimated, absolute
+    double order = std::numeric_limits<double>::quiet_NaN();     ///< of convergence, as observed
   };
 
   /// What a run reports in its summary.
   struct RunResults
   {
     std::vector<Quantity> quantities;
-    unsigned int steps = 0; ///< accepted load or time steps
+    unsigned long long unknowns = 0; ///< degrees of freedom of the systems solved
+    unsigned int steps = 0;          ///< accepted load or time steps
     unsigned int newton_iterations = 0;
   };
 

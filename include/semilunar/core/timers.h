@@ -41,7 +41,7 @@ namespace semilunar
     /// Seconds by phase.
     std::map<std::string, double> seconds() const;
 
-    /// Since the construction of this object (memory and processor time: of the process).
+    /// Since the construction of this object; memory includes what the process kept from before.
     /// Collective: all ranks call it.
     Cost cost() const;
 

@@ -2,12 +2,7 @@
 #ifndef semilunar_scene_scene_h
 #define semilunar_scene_scene_h
 
-#include <semilunar/core/run_context.h>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
+#include <semilunar/scene/levels.h>
 
 namespace semilunar::scene
 {
@@ -18,8 +13,13 @@ namespace semilunar::scene
   public:
     virtual ~Scene() = default;
 
-    /// Declare all entries and bind them to the scene's members.
+    LevelsParameters levels;
+
+    /// Declare all entries but the levels and bind them to the scene's members.
     virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
+
+    /// What "finer" means unless the scene file says so: the default of Levels/Finer.
+    virtual std::string finer() const { return ""; }
 
     /// After all entries were read: what no single entry can tell.
     /// @throws InputError whose place is the "Section/Entry" to change

@@ -13,6 +13,7 @@ namespace semilunar::scene
   {
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
+    std::string finer() const override { return "Surface/Elements * 2"; }
     void run(RunContext &context) override;
 
   private:

@@ -13,6 +13,10 @@ namespace semilunar::scene
   {
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
+    std::string finer() const override
+    {
+      return "Valve/Elements along * 2; Valve/Elements across * 2";
+    }
     void check() const override;
     void run(RunContext &context) override;
 
