@@ -12,8 +12,9 @@ declare -A may_include=(
   [spline]="core spline"
   [valve]="core spline valve"
   [shell]="core spline shell"
-  [output]="core spline shell output"
-  [scene]="core spline valve shell output scene"
+  [mesh]="core mesh"
+  [output]="core spline shell mesh flow output"
+  [scene]="core spline valve shell mesh flow output scene"
   [main]="core scene"
 )
 n_files=0

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/nearest_name.h>
+#include <semilunar/mesh/mesh.h>
+
+namespace semilunar::mesh
+{
+  template <int dim>
+  Mesh<dim>::Mesh(const MPI_Comm communicator)
+      : triangulation(communicator,
+                      // what geometric multigrid and patches of adaptively refined cells ask for
+                      typename dealii::Triangulation<dim>::MeshSmoothing(
+                          dealii::Triangulation<dim>::limit_level_difference_at_vertices |
+                          dealii::Triangulation<dim>::smoothing_on_refinement |
+                          dealii::Triangulation<dim>::smoothing_on_coarsening))
+  {
+  }
+
+  template <int dim>
+  dealii::types::boundary_id Mesh<dim>::boundary_id(const std::string &name,
+                                                    const std::string &where) const
+  {
+    const auto found = boundary_ids.find(name);
+    if (found != boundary_ids.end())
+      return found->second;
+    std::vector<std::string> names;
+    for (const auto &[known, id] : boundary_ids)
+      names.push_back(known);
+    throw InputError(where, name, "the mesh has no boundary of this name", suggest(name, names));
+  }
+
+  template class Mesh<2>;
+  template class Mesh<3>;
+} // namespace semilunar::mesh
