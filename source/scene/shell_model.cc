@@ -14,15 +14,16 @@ namespace semilunar::scene
   }
 
   ShellModel::ShellModel(spline::Surface given_surface, const ShellParameters &parameters,
-                         Timers &timers)
-      : surface(std::move(given_surface)), section(parameters.section.make_section()),
-        points(surface), equations(make_equations(surface, parameters.supports)),
+                         Timers &timers, const unsigned int n_sectors)
+      : surface(std::move(given_surface)), symmetry(n_sectors),
+        section(parameters.section.make_section()), points(surface),
+        equations(make_equations(surface, parameters.supports)),
         assembly(surface, points, *section,
                  [section = parameters.section](const auto &position, const auto &frame)
                  { return fibre_direction(section, position, frame); }),
-        contact(parameters.contact.enabled
-                    ? std::make_unique<shell::Contact>(surface, points, parameters.contact)
-                    : nullptr),
+        contact(parameters.contact.enabled ? std::make_unique<shell::Contact>(
+                                                 surface, points, parameters.contact, symmetry)
+                                           : nullptr),
         dead_forces(shell::dead_forces(surface, points, parameters.loads,
                                        parameters.section.density * parameters.section.thickness)),
         equilibrium(surface, points, equations, assembly, parameters.loads.follower_pressure(),

@@ -31,8 +31,8 @@ namespace semilunar::scene
 
   ShellOutput::ShellOutput(const std::filesystem::path &folder, const ShellModel &model,
                            const output::SurfaceVtuParameters &parameters)
-      : folder(folder), model(model), parameters(parameters),
-        collection((folder / "shell.pvd").string())
+      : folder(folder), model(model), whole(model.symmetry.whole(model.surface)),
+        parameters(parameters), collection((folder / "shell.pvd").string())
   {
   }
 
@@ -80,22 +80,33 @@ namespace semilunar::scene
     return all;
   }
 
+  SurfaceField ShellOutput::on_all_sectors(const SurfaceField &field) const
+  {
+    const unsigned int n_elements = model.surface.elements.size();
+    return {field.name, field.n_components,
+            [n_elements, field](const spline::SurfacePoint &point, double *values) {
+              field.evaluate({point.element % n_elements, point.xi}, values);
+            }};
+  }
+
   std::string ShellOutput::write(const double time, const shell::ControlVectors &x)
   {
     char name[32];
     std::snprintf(name, sizeof(name), "shell-%04u.vtu", n_written++);
-    shell::ControlVectors displacement = x;
-    for (unsigned int c = 0; c < x.size(); ++c)
-      displacement[c] -= model.surface.control_points[c].position;
+    const shell::ControlVectors whole_x = model.symmetry.whole(x);
+    shell::ControlVectors displacement = whole_x;
+    for (unsigned int c = 0; c < displacement.size(); ++c)
+      displacement[c] -= whole.control_points[c].position;
     if (model.contact)
       model.contact->update(x);
-    std::vector<SurfaceField> all = fields(x);
-    all.insert(all.begin(),
-               output::control_point_field("displacement", model.surface, displacement));
+    std::vector<SurfaceField> all = {
+        output::control_point_field("displacement", whole, displacement)};
+    for (const SurfaceField &field : fields(x))
+      all.push_back(on_all_sectors(field));
     on_first_rank(
         [&]()
         {
-          output::write_surface_vtu((folder / name).string(), model.surface, x, all, parameters,
+          output::write_surface_vtu((folder / name).string(), whole, whole_x, all, parameters,
                                     time);
           collection.add(time, name);
         });

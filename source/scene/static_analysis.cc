@@ -63,14 +63,16 @@ namespace semilunar::scene
       const spline::SurfacePoint place{model.points.element(all.q), model.points.xi(all.q)};
       const auto position = spline::evaluate(model.surface, place)[spline::value];
       auto &quantities = results.quantities;
-      quantities.insert(quantities.end(),
-                        {{"max_mipe", all.value, "-"},
-                         {"max_mipe_front", front.value, "-"},
-                         {"max_mipe_back", back.value, "-"},
-                         {"max_mipe_x", position[0], "length"},
-                         {"max_mipe_y", position[1], "length"},
-                         {"max_mipe_z", position[2], "length"},
-                         {"strain_energy", model.equilibrium.strain_energy(), "force*length"}});
+      quantities.insert(
+          quantities.end(),
+          {{"max_mipe", all.value, "-"},
+           {"max_mipe_front", front.value, "-"},
+           {"max_mipe_back", back.value, "-"},
+           {"max_mipe_x", position[0], "length"},
+           {"max_mipe_y", position[1], "length"},
+           {"max_mipe_z", position[2], "length"},
+           {"strain_energy", model.symmetry.n_sectors() * model.equilibrium.strain_energy(),
+            "force*length"}});
       probes.add_quantities(x, results);
     }
   } // namespace

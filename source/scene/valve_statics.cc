@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/scene/valve_statics.h>
-#include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/orifice.h>
 #include <semilunar/valve/symmetry.h>
 
@@ -57,15 +56,13 @@ namespace semilunar::scene
 
   void ValveStatics::add_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Valve");
-    design.add_parameters(prm);
-    prm.leave_subsection();
+    source.add_parameters(prm);
     analysis.add_parameters(prm);
   }
 
   void ValveStatics::check() const
   {
-    design.check();
+    source.design.check();
   }
 
   void ValveStatics::run(RunContext &context)
@@ -73,7 +70,8 @@ namespace semilunar::scene
     std::unique_ptr<ShellModel> model;
     {
       const Timers::Scope timer(context.timers, "set-up");
-      model = std::make_unique<ShellModel>(valve::leaflets(design), analysis.shell, context.timers);
+      model = std::make_unique<ShellModel>(source.build(), analysis.shell, context.timers,
+                                           source.n_sectors());
     }
     const shell::ControlVectors x = analysis.run(*model, context);
     if (!context.dry_run)
@@ -85,12 +83,15 @@ namespace semilunar::scene
   {
     auto &quantities = results.quantities;
     const double thickness = model.section->thickness();
+    const double orifice =
+        valve::orifice_area(model.symmetry.whole(model.surface), model.symmetry.whole(x),
+                            source.design.radius, thickness);
+    quantities.push_back({"orifice_area", orifice, "cm^2"});
+    if (source.n_sectors() == 1)
+      quantities.push_back(
+          {"rotational_asymmetry", valve::rotational_asymmetry(model.surface, x), "-"});
     quantities.push_back(
-        {"orifice_area", valve::orifice_area(model.surface, x, design.radius, thickness), "cm^2"});
-    quantities.push_back(
-        {"rotational_asymmetry", valve::rotational_asymmetry(model.surface, x), "-"});
-    quantities.push_back(
-        {"max_mipe_off_commissures", strain_off_commissures(model, x, design), "-"});
+        {"max_mipe_off_commissures", strain_off_commissures(model, x, source.design), "-"});
     if (!model.contact)
       return;
     model.contact->update(x);

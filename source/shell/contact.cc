@@ -68,10 +68,12 @@ namespace semilunar::shell
   };
 
   Contact::Contact(const Surface &surface, const QuadraturePoints &points,
-                   const ContactParameters &parameters)
+                   const ContactParameters &parameters, const CyclicSymmetry &symmetry)
       : surface(surface), points(points), law{checked(parameters).stiffness, parameters.smoothing},
-        distance(parameters.distance), reach_distance(choose_reach(points, parameters.distance)),
-        search(surface, points, reach_distance, parameters.self_distance), memory(points.n_points())
+        symmetry(symmetry), distance(parameters.distance),
+        reach_distance(choose_reach(points, parameters.distance)),
+        search(surface, points, reach_distance, parameters.self_distance, symmetry),
+        memory(points.n_points())
   {
     remember_undeformed_state();
   }
@@ -116,8 +118,8 @@ namespace semilunar::shell
     // past an edge, behind the remembered side: the surface is not in the way
     const bool is_blocked = foot.on_face() || !foot.side_is_plain() || foot.side() == side;
     const double gap = directed.value - (is_blocked ? contact_distance(q, neighbor.part) : 0.);
-    found.near.push_back(
-        {q, neighbor.point, directed.direction, gap, is_blocked ? law.value(-gap) : 0.});
+    found.near.push_back({q, neighbor.point, neighbor.image, directed.direction, gap,
+                          is_blocked ? law.value(-gap) : 0.});
     found.details.push_back({neighbor.part, side, foot});
   }
 
@@ -149,16 +151,30 @@ namespace semilunar::shell
 
   void Contact::evaluate_partner_bases()
   {
-    BasisValues basis;
+    std::size_t n_values = 0;
     for (unsigned int i = 0; i < near.size(); ++i)
       if (near[i].pressure > 0.)
       {
         active.push_back(i);
-        partner_offsets.push_back(partner_bases.size());
-        evaluate_basis(surface, near[i].partner.element, near[i].partner.xi, basis);
-        for (const unsigned int k : {spline::value, d1, d2})
-          partner_bases.insert(partner_bases.end(), basis.values[k].begin(), basis.values[k].end());
+        partner_offsets.push_back(n_values);
+        n_values += 3 * surface.elements[near[i].partner.element].n_functions();
       }
+    partner_bases.resize(n_values);
+    const auto work = [&](const unsigned int begin, const unsigned int end)
+    {
+      BasisValues basis;
+      for (unsigned int k = begin; k < end; ++k)
+      {
+        const SurfacePoint &partner = near[active[k]].partner;
+        evaluate_basis(surface, partner.element, partner.xi, basis);
+        double *values = &partner_bases[partner_offsets[k]];
+        for (const unsigned int derivative : {spline::value, d1, d2})
+          values =
+              std::copy(basis.values[derivative].begin(), basis.values[derivative].end(), values);
+      }
+    };
+    constexpr unsigned int grain = 64;
+    dealii::parallel::apply_to_subranges(0u, static_cast<unsigned int>(active.size()), work, grain);
   }
 
   void Contact::update(const std::vector<Tensor<1, 3>> &x)
@@ -218,10 +234,12 @@ namespace semilunar::shell
           -0.5 * points.weight(point.q) * point.pressure * point.normal; // (C5)
       const double *own_basis = points.basis(point.q, spline::value);
       const double *partner_basis = partner_bases.data() + partner_offsets[k];
+      const Tensor<1, 3> force_on_partner =
+          point.image == 0 ? -force : -(transpose(symmetry.turn(point.image)) * force); // (C9)
       for (unsigned int a = 0; a < own.n_functions(); ++a)
         gradient[own.control_points[a]] += own_basis[a] * force;
       for (unsigned int a = 0; a < partner.n_functions(); ++a)
-        gradient[partner.control_points[a]] -= partner_basis[a] * force;
+        gradient[partner.control_points[a]] += partner_basis[a] * force_on_partner;
     }
   }
 } // namespace semilunar::shell

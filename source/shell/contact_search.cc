@@ -2,6 +2,8 @@
 #include <semilunar/shell/contact_search.h>
 #include <semilunar/shell/free_sides.h>
 
+#include <deal.II/base/parallel.h>
+
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -12,14 +14,38 @@ namespace semilunar::shell
 
   namespace
   {
+    /// Call work(i) for all i below n, on all threads.
+    template <typename Work>
+    void for_each(const std::size_t n, const Work &work)
+    {
+      constexpr unsigned int grain = 64;
+      dealii::parallel::apply_to_subranges(
+          std::size_t(0), n,
+          [&](const std::size_t begin, const std::size_t end)
+          {
+            for (std::size_t i = begin; i < end; ++i)
+              work(i);
+          },
+          grain);
+    }
+
     std::vector<BezierPatch> bezier_patches(const Surface &surface,
                                             const std::vector<Tensor<1, 3>> &x)
     {
-      std::vector<BezierPatch> patches;
-      patches.reserve(surface.elements.size());
-      for (unsigned int e = 0; e < surface.elements.size(); ++e)
-        patches.push_back(bezier_patch(surface, e, x));
+      std::vector<BezierPatch> patches(surface.elements.size());
+      for_each(patches.size(),
+               [&](const std::size_t e) { patches[e] = bezier_patch(surface, e, x); });
       return patches;
+    }
+
+    BezierPatch turned(BezierPatch patch, const dealii::Tensor<2, 3> &turn)
+    {
+      for (auto &coefficient : patch.coefficients)
+      {
+        const auto x = turn * Tensor<1, 3>({coefficient[0], coefficient[1], coefficient[2]});
+        std::copy(x.begin_raw(), x.end_raw(), coefficient.begin());
+      }
+      return patch;
     }
 
     std::vector<Tensor<1, 3>> point_positions(const Surface &surface,
@@ -27,21 +53,23 @@ namespace semilunar::shell
                                               const std::vector<Tensor<1, 3>> &x)
     {
       std::vector<Tensor<1, 3>> result(points.n_points());
-      for (unsigned int q = 0; q < points.n_points(); ++q)
-      {
-        const BezierElement &element = surface.elements[points.element(q)];
-        const double *basis = points.basis(q, spline::value);
-        for (unsigned int a = 0; a < element.n_functions(); ++a)
-          result[q] += basis[a] * x[element.control_points[a]];
-      }
+      for_each(result.size(),
+               [&](const std::size_t q)
+               {
+                 const BezierElement &element = surface.elements[points.element(q)];
+                 const double *basis = points.basis(q, spline::value);
+                 for (unsigned int a = 0; a < element.n_functions(); ++a)
+                   result[q] += basis[a] * x[element.control_points[a]];
+               });
       return result;
     }
   } // namespace
 
   ContactSearch::ContactSearch(const Surface &surface, const QuadraturePoints &points,
-                               const double reach, const double self_distance)
+                               const double reach, const double self_distance,
+                               const CyclicSymmetry &symmetry)
       : surface(surface), points(points), reach(reach), self_distance(self_distance),
-        parts(connected_parts(surface)),
+        symmetry(symmetry), parts(connected_parts(surface)),
         number_of_parts(parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1)
   {
     const std::vector<Tensor<1, 3>> x = positions(surface);
@@ -55,17 +83,22 @@ namespace semilunar::shell
   {
     x_q = point_positions(surface, points, x);
     patches = bezier_patches(surface, x);
-    boxes.clear();
-    std::vector<SpatialHash::Box> within_reach;
+    const std::size_t n_elements = patches.size();
+    patches.resize(symmetry.n_sectors() * n_elements);
+    boxes.resize(patches.size());
+    std::vector<SpatialHash::Box> within_reach(patches.size());
     Tensor<1, 3> margin;
     for (unsigned int d = 0; d < 3; ++d)
       margin[d] = reach;
-    for (const BezierPatch &patch : patches)
-    {
-      boxes.emplace_back(patch);
-      within_reach.push_back(
-          {boxes.back().lower_corner() - margin, boxes.back().upper_corner() + margin});
-    }
+    for_each(
+        patches.size(),
+        [&](const std::size_t p)
+        {
+          if (p >= n_elements)
+            patches[p] = turned(patches[p % n_elements], symmetry.turn(p / n_elements));
+          boxes[p] = OrientedBox(patches[p]);
+          within_reach[p] = {boxes[p].lower_corner() - margin, boxes[p].upper_corner() + margin};
+        });
     hash.build(within_reach, reach);
   }
 
@@ -74,36 +107,37 @@ namespace semilunar::shell
     return evaluate(undeformed[point.element], point.xi)[spline::value];
   }
 
-  bool ContactSearch::may_be_neighbors(const unsigned int q, const unsigned int element) const
+  bool ContactSearch::may_be_neighbors(const unsigned int q, const unsigned int patch) const
   {
-    if (parts[element] != parts[points.element(q)])
+    if (patch >= parts.size() || parts[patch] != parts[points.element(q)])
       return true;
-    return self_distance > 0. && element != points.element(q);
+    return self_distance > 0. && patch != points.element(q);
   }
 
   void ContactSearch::gather(const unsigned int q, std::vector<Candidate> &candidates) const
   {
     candidates.clear();
-    for (const unsigned int element : hash.near(x_q[q]))
-      if (may_be_neighbors(q, element))
+    for (const unsigned int patch : hash.near(x_q[q]))
+      if (may_be_neighbors(q, patch))
       {
-        const double lower_bound = boxes[element].distance(x_q[q]);
+        const double lower_bound = boxes[patch].distance(x_q[q]);
+        const unsigned int image = patch / parts.size();
         if (lower_bound < reach)
-          candidates.push_back({parts[element], element, lower_bound});
+          candidates.push_back(
+              {parts[patch % parts.size()] + image * number_of_parts, patch, lower_bound});
       }
     // part by part, the most promising element first
     std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate &a, const Candidate &b)
-              {
-                return std::tie(a.part, a.lower_bound, a.element) <
-                       std::tie(b.part, b.lower_bound, b.element);
+              [](const Candidate &a, const Candidate &b) {
+                return std::tie(a.part, a.lower_bound, a.patch) <
+                       std::tie(b.part, b.lower_bound, b.patch);
               });
   }
 
-  Point<2> ContactSearch::starting_point(const unsigned int element, const Tensor<1, 3> &x) const
+  Point<2> ContactSearch::starting_point(const unsigned int patch, const Tensor<1, 3> &x) const
   {
-    if (!boxes[element].is_strongly_curved())
-      return boxes[element].guess(x);
+    if (!boxes[patch].is_strongly_curved())
+      return boxes[patch].guess(x);
 
     constexpr unsigned int n_samples = 4; // per direction
     double smallest = std::numeric_limits<double>::max();
@@ -112,7 +146,7 @@ namespace semilunar::shell
       for (unsigned int i = 0; i < n_samples; ++i)
       {
         const Point<2> xi((i + 0.5) / n_samples, (j + 0.5) / n_samples);
-        const double square = (evaluate(patches[element], xi)[spline::value] - x).norm_square();
+        const double square = (evaluate(patches[patch], xi)[spline::value] - x).norm_square();
         if (square < smallest)
         {
           smallest = square;
@@ -122,10 +156,10 @@ namespace semilunar::shell
     return nearest;
   }
 
-  bool ContactSearch::is_admissible(const unsigned int q, const SurfacePoint &point,
-                                    const ContactFoot &foot) const
+  bool ContactSearch::is_admissible(const unsigned int q, const Neighbor &neighbor) const
   {
-    if (parts[point.element] != parts[points.element(q)])
+    const auto &[part, image, point, foot] = neighbor;
+    if (part != parts[points.element(q)])
       return true;
     // Next to the excluded surroundings of q, an element's side may hold a foot although the
     // surface goes on.
@@ -148,17 +182,20 @@ namespace semilunar::shell
       if (candidate.lower_bound >= limit)
         continue;
       const Projection projection =
-          project(patches[candidate.element], x_q[q], starting_point(candidate.element, x_q[q]));
+          project(patches[candidate.patch], x_q[q], starting_point(candidate.patch, x_q[q]));
       ++n_projections;
       if (!(projection.distance < limit))
         continue;
-      const SurfacePoint point{candidate.element, projection.xi};
-      const ContactFoot foot(projection, x_q[q]);
-      if (!is_admissible(q, point, foot))
+      const unsigned int n_elements = parts.size();
+      const Neighbor neighbor{candidate.part,
+                              candidate.patch / n_elements,
+                              {candidate.patch % n_elements, projection.xi},
+                              ContactFoot(projection, x_q[q])};
+      if (!is_admissible(q, neighbor))
         continue;
       if (is_first)
         neighbors.emplace_back();
-      neighbors.back() = {candidate.part, point, foot};
+      neighbors.back() = neighbor;
     }
     return n_projections;
   }

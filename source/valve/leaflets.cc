@@ -67,6 +67,13 @@ namespace semilunar::valve
       std::iota(set.members.begin(), set.members.end(), 0u);
       return set;
     }
+    /// Add the sets that hold all of a leaflet, as the last two.
+    void name_leaflet(Surface &surface, const unsigned int number)
+    {
+      const std::string name = "leaflet" + std::to_string(number);
+      surface.sets.push_back(all_members(SetKind::node, name, surface.control_points.size()));
+      surface.sets.push_back(all_members(SetKind::element, name, surface.elements.size()));
+    }
   } // namespace
 
   NurbsPatch leaflet_patch(const Design &design)
@@ -91,23 +98,29 @@ namespace semilunar::valve
     return NurbsPatch({{curves.knots, spline::KnotVector::uniform(3, 1)}}, net);
   }
 
-  Surface leaflets(const Design &design)
+  Surface leaflet(const Design &design)
   {
     NurbsPatch patch = leaflet_patch(design);
     refine(patch, 0, design.n_elements_along);
     refine(patch, 1, design.n_elements_across);
+    Surface surface = spline::to_surface(patch);
+    surface.sets = leaflet_sets(patch);
+    name_leaflet(surface, 1);
+    return surface;
+  }
 
+  Surface leaflets(const Design &design)
+  {
     Surface all;
+    const Surface first = leaflet(design);
     for (unsigned int k = 0; k < design.n_leaflets; ++k)
     {
-      Surface leaflet = spline::to_surface(patch);
-      turn(leaflet.control_points, k, design.n_leaflets);
-      const std::string name = "leaflet" + std::to_string(k + 1);
-      leaflet.sets = leaflet_sets(patch);
-      leaflet.sets.push_back(all_members(SetKind::node, name, leaflet.control_points.size()));
-      leaflet.sets.push_back(all_members(SetKind::element, name, leaflet.elements.size()));
+      Surface surface = first;
+      turn(surface.control_points, k, design.n_leaflets);
+      surface.sets.resize(first.sets.size() - 2);
+      name_leaflet(surface, k + 1);
       const double merge_nothing = -1.;
-      spline::append(all, leaflet, merge_nothing);
+      spline::append(all, surface, merge_nothing);
     }
     return all;
   }

@@ -27,11 +27,15 @@ namespace semilunar::scene
   class ShellModel
   {
   public:
+    /// @param n_sectors if the surface is one of so many equal sectors about the z axis: all of
+    /// them deform alike, and touch each other. Energies and forces are those of the sector.
     /// @throws InputError for parameters that do not fit the surface
-    ShellModel(spline::Surface surface, const ShellParameters &parameters, Timers &timers);
+    ShellModel(spline::Surface surface, const ShellParameters &parameters, Timers &timers,
+               unsigned int n_sectors = 1);
     ShellModel(const ShellModel &) = delete;
 
     const spline::Surface surface;
+    const spline::CyclicSymmetry symmetry;
     const std::unique_ptr<const shell::Section> section;
     const shell::QuadraturePoints points;
     const shell::Equations equations;

@@ -12,7 +12,7 @@ namespace semilunar::scene
 {
   /// Writes states of a shell as shell-0001.vtu, ... and the collection shell.pvd: displacement,
   /// largest principal strain on both faces (mipe on the face the normal points to, mipe_back on
-  /// the other), membrane forces, and contact pressure and gap.
+  /// the other), membrane forces, and contact pressure and gap. Of a symmetric model, all sectors.
   class ShellOutput
   {
   public:
@@ -27,11 +27,15 @@ namespace semilunar::scene
   private:
     const std::filesystem::path folder;
     const ShellModel &model;
+    const spline::Surface whole; // all sectors of the model
     const output::SurfaceVtuParameters parameters;
     output::PvdCollection collection;
     unsigned int n_written = 0;
 
+    /// Of the model's surface.
     std::vector<output::SurfaceField> fields(const shell::ControlVectors &x) const;
+    /// A field of the model's surface that all its images share.
+    output::SurfaceField on_all_sectors(const output::SurfaceField &field) const;
     /// Interpolates values at the quadrature points, element by element.
     output::SurfaceField quadrature_field(const std::string &name,
                                           const std::vector<double> &values) const;

@@ -4,7 +4,7 @@
 
 #include <semilunar/scene/scene.h>
 #include <semilunar/scene/static_analysis.h>
-#include <semilunar/valve/design.h>
+#include <semilunar/scene/valve_source.h>
 
 namespace semilunar::scene
 {
@@ -21,7 +21,7 @@ namespace semilunar::scene
     void run(RunContext &context) override;
 
   private:
-    valve::Design design;
+    ValveSource source;
     StaticAnalysis analysis;
 
     void add_quantities(ShellModel &model, const shell::ControlVectors &x,

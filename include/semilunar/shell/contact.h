@@ -37,6 +37,9 @@ namespace semilunar::shell
   /// Parts that are closer to each other than the contact distance before deformation, as leaflets
   /// at a commissure, start free of forces: there, the undeformed distance takes the place of the
   /// contact distance.
+  ///
+  /// If the surface is one sector of a symmetric body, its parts touch the images of themselves:
+  /// energy, gradient and areas are the sector's share, (C8) and (C9).
   class Contact
   {
   public:
@@ -44,7 +47,9 @@ namespace semilunar::shell
     struct ContactPoint
     {
       unsigned int q;               ///< quadrature point
-      spline::SurfacePoint partner; ///< nearest point of the other part
+      spline::SurfacePoint partner; ///< nearest point of the other part, or the point of the
+                                    ///< sector whose image it is
+      unsigned int image;           ///< of the symmetry, that the nearest point belongs to
       spline::Tensor<1, 3> normal;  ///< unit vector along which the gap grows, from the partner to
                                     ///< the point's side of it
       double gap;      ///< distance of the midsurfaces (signed) minus the contact distance
@@ -55,7 +60,8 @@ namespace semilunar::shell
     /// configuration; an update() must follow before anything is asked for.
     /// @throws InputError for numbers out of range
     Contact(const spline::Surface &surface, const QuadraturePoints &points,
-            const ContactParameters &parameters);
+            const ContactParameters &parameters,
+            const spline::CyclicSymmetry &symmetry = spline::CyclicSymmetry());
 
     /// Find the partners of all points with control points at @p x. Everything below refers to this
     /// state, and asking again for the same one costs nothing. If x is not finite, there are no
@@ -70,7 +76,8 @@ namespace semilunar::shell
 
     /// Hand over the second derivatives of the energy, one dense block per pair of elements in
     /// contact: the control points involved (c of them, those of the one and then of the other
-    /// element, possibly repeated) and the symmetric (3c) x (3c) matrix, row by row.
+    /// element, possibly repeated) and the symmetric (3c) x (3c) matrix, row by row. Blocks are
+    /// computed by all threads and handed over one after the other, always in the same order.
     using AddBlock = std::function<void(const std::vector<unsigned int> &control_points,
                                         const std::vector<double> &matrix)>;
     void add_hessian(const AddBlock &add) const;
@@ -115,10 +122,18 @@ namespace semilunar::shell
     void remember_undeformed_state();
     /// Second variation of the energy of one contact point, (C6) and (C7).
     SecondVariation energy_variation(unsigned int contact_point) const;
+    struct Meeting;
+    /// The active points in an order that keeps those of a block together.
+    std::vector<Meeting> meetings() const;
+    struct HessianScratch;
+    struct HessianBlock;
+    void compute_block(const Meeting *begin, const Meeting *end, HessianScratch &scratch,
+                       HessianBlock &block) const;
 
     const spline::Surface &surface;
     const QuadraturePoints &points;
     const ContactPressure law;
+    const spline::CyclicSymmetry symmetry;
     const double distance;
     const double reach_distance;
     ContactSearch search;

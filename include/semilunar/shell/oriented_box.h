@@ -11,6 +11,7 @@ namespace semilunar::shell
   class OrientedBox
   {
   public:
+    OrientedBox() = default;
     explicit OrientedBox(const spline::BezierPatch &patch);
 
     /// Distance from x to the box: no point of the patch is nearer.

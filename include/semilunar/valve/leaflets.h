@@ -13,6 +13,10 @@ namespace semilunar::valve
   /// @throws InputError from Design::check()
   spline::NurbsPatch leaflet_patch(const Design &design);
 
+  /// The midsurface of the first leaflet, refined as the design says, with the sets of leaflets().
+  /// @throws InputError from Design::check()
+  spline::Surface leaflet(const Design &design);
+
   /// The midsurfaces of all leaflets, refined as the design says; the leaflets share no control
   /// points. Node sets: `attachment` (posts and scallop), `nextAttachment` (the second row: both
   /// fixed clamp the leaflets), `freeEdge`, and `leaflet1`, ... as node and as element sets.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/scene/valve_source.h>
+#include <semilunar/valve/leaflets.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+namespace semilunar::scene
+{
+  void ValveSource::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Valve");
+    design.add_parameters(prm);
+    prm.add_parameter("Modelled leaflets", leaflets,
+                      "all, or one that stands for all: the others are its images, turned about "
+                      "the axis. Same answers for less, unless the leaflets move differently.",
+                      dealii::Patterns::Selection("all|one"));
+    prm.leave_subsection();
+  }
+
+  spline::Surface ValveSource::build() const
+  {
+    return leaflets == "one" ? valve::leaflet(design) : valve::leaflets(design);
+  }
+
+  unsigned int ValveSource::n_sectors() const
+  {
+    return leaflets == "one" ? design.n_leaflets : 1;
+  }
+} // namespace semilunar::scene
