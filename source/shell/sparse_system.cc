@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <semilunar/core/exceptions.h>
 #include <semilunar/shell/sparse_system.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -56,6 +55,7 @@ namespace semilunar::shell
     matrix.clear();
     sparsity.copy_from(pattern);
     matrix.reinit(sparsity);
+    factors.analyse(sparsity);
   }
 
   void SparseSystem::add(const std::vector<unsigned int> &control_points, const double *block)
@@ -93,17 +93,5 @@ namespace semilunar::shell
   {
     for (unsigned int i = 0; i < diagonal.size(); ++i)
       matrix.diag_element(i) += factor * diagonal[i];
-  }
-
-  void SparseSystem::factorize()
-  {
-    try
-    {
-      factors.factorize(matrix);
-    }
-    catch (const dealii::ExceptionBase &)
-    {
-      throw NumericsError("the tangent matrix is singular or not finite", "its factorisation", "");
-    }
   }
 } // namespace semilunar::shell

@@ -2,10 +2,10 @@
 #ifndef semilunar_shell_sparse_system_h
 #define semilunar_shell_sparse_system_h
 
+#include <semilunar/shell/direct_solver.h>
 #include <semilunar/shell/equations.h>
 #include <semilunar/spline/surface.h>
 
-#include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <set>
@@ -34,7 +34,7 @@ namespace semilunar::shell
     void add_diagonal(const dealii::Vector<double> &diagonal, double factor);
 
     /// @throws NumericsError if the matrix is singular or not finite
-    void factorize();
+    void factorize() { factors.factorize(matrix); }
     void solve(dealii::Vector<double> &right_hand_side) const { factors.solve(right_hand_side); }
     void multiply(dealii::Vector<double> &result, const dealii::Vector<double> &x) const
     {
@@ -47,7 +47,7 @@ namespace semilunar::shell
     std::set<std::pair<unsigned int, unsigned int>> coupled;
     dealii::SparsityPattern sparsity;
     dealii::SparseMatrix<double> matrix;
-    dealii::SparseDirectUMFPACK factors;
+    DirectSolver factors;
 
     struct Entry
     {
