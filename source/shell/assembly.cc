@@ -2,6 +2,7 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/shell/assembly.h>
 #include <semilunar/shell/element_matrix.h>
+#include <semilunar/shell/midsurface_step.h>
 #include <semilunar/shell/tangent_frame.h>
 
 #include <deal.II/base/work_stream.h>
@@ -17,6 +18,7 @@ namespace semilunar::shell
   struct Assembly::Scratch
   {
     std::vector<double> positions; // 3 x stride
+    std::vector<double> end_positions;
     PointResponse response;
     ElementMatrix matrix;
   };
@@ -145,6 +147,45 @@ namespace semilunar::shell
         },
         Scratch(), ElementResult());
     return energy;
+  }
+
+  void Assembly::add_conserving(const ControlVectors &from, const ControlVectors &to,
+                                ControlVectors &forces) const
+  {
+    std::vector<unsigned int> elements(surface.elements.size());
+    std::iota(elements.begin(), elements.end(), 0u);
+    dealii::WorkStream::run(
+        elements.begin(), elements.end(),
+        [&](const std::vector<unsigned int>::iterator &element, Scratch &scratch,
+            ElementResult &result) { element_conserving(*element, from, to, scratch, result); },
+        [&](const ElementResult &result)
+        {
+          const auto &control_points = surface.elements[result.element].control_points;
+          for (unsigned int a = 0; a < control_points.size(); ++a)
+            for (unsigned int i = 0; i < 3; ++i)
+              forces[control_points[a]][i] += result.forces[3 * a + i];
+        },
+        Scratch(), ElementResult());
+  }
+
+  void Assembly::element_conserving(const unsigned int element, const ControlVectors &from,
+                                    const ControlVectors &to, Scratch &scratch,
+                                    ElementResult &result) const
+  {
+    const BezierElement &bezier = surface.elements[element];
+    const unsigned int stride = points.stride(element);
+    gather(bezier, from, stride, scratch.positions);
+    gather(bezier, to, stride, scratch.end_positions);
+    scratch.matrix.reinit(bezier.n_functions(), stride, false);
+    result.element = element;
+    for (unsigned int q = points.first_point(element); q < points.first_point(element + 1); ++q)
+    {
+      conserving_gradient(section, jet(scratch.positions.data(), q),
+                          jet(scratch.end_positions.data(), q), undeformed_b[q],
+                          fibre_directions[q], scratch.response.gradient);
+      scratch.matrix.add(scratch.response, points.basis(q, value), points.weight(q));
+    }
+    result.forces.assign(scratch.matrix.force(), scratch.matrix.force() + 3 * bezier.n_functions());
   }
 
   SectionStrain Assembly::section_strain(const ControlVectors &x, const unsigned int q) const

@@ -58,6 +58,14 @@ namespace semilunar::shell
       }
   }
 
+  bool Equations::moves_supports() const
+  {
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (numbers[i] == none && values[i] != 0.)
+        return true;
+    return false;
+  }
+
   void Equations::expand(const dealii::Vector<double> &solution, const double load_factor,
                          std::vector<dealii::Tensor<1, 3>> &displacements) const
   {

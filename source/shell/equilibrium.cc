@@ -56,8 +56,8 @@ namespace semilunar::shell
                            const double pressure, const ControlVectors &dead_forces,
                            Contact *const contact, Timers &timers)
       : equations(equations), assembly(assembly), pressure(pressure), dead_forces(dead_forces),
-        contact(contact), undeformed(spline::positions(surface)), matrix(surface, equations),
-        area(lump_area(surface, points, equations)),
+        contact(contact), surface(surface), undeformed(spline::positions(surface)),
+        matrix(surface, equations), area(lump_area(surface, points, equations)),
         load_norm(external_norm(surface, points, pressure, dead_forces)), points(points),
         timers(timers)
   {
@@ -72,16 +72,32 @@ namespace semilunar::shell
     return x;
   }
 
+  ControlVectors Equilibrium::internal_minus_external(const ControlVectors &x, const double load)
+  {
+    const Timers::Scope timer(timers, "assembly");
+    ControlVectors forces(x.size());
+    if (start_of_step.empty())
+    {
+      energy = assembly.add(x, load * pressure, forces, {});
+      for (unsigned int c = 0; c < x.size(); ++c)
+        forces[c] -= load * dead_forces[c];
+      return forces;
+    }
+    const ControlVectors external = external_forces(x, load);
+    ControlVectors end = x;
+    for (unsigned int c = 0; c < x.size(); ++c)
+    {
+      end[c] += x[c] - start_of_step[c];
+      forces[c] = -external[c];
+    }
+    assembly.add_conserving(start_of_step, end, forces);
+    return forces;
+  }
+
   double Equilibrium::residual(const Vector &u, const double load, Vector &r)
   {
     const ControlVectors x = positions(u, load);
-    ControlVectors forces(x.size());
-    {
-      const Timers::Scope timer(timers, "assembly");
-      energy = assembly.add(x, load * pressure, forces, {});
-    }
-    for (unsigned int c = 0; c < x.size(); ++c)
-      forces[c] -= load * dead_forces[c];
+    ControlVectors forces = internal_minus_external(x, load);
     if (contact != nullptr)
     {
       const Timers::Scope timer(timers, "contact");
@@ -101,6 +117,17 @@ namespace semilunar::shell
   }
 
   void Equilibrium::linearize(const Vector &u, const double load, const double shift)
+  {
+    linearize(u, load,
+              [&](SparseSystem &tangent)
+              {
+                if (shift > 0.)
+                  tangent.add_diagonal(area, shift);
+              });
+  }
+
+  void Equilibrium::linearize(const Vector &u, const double load,
+                              const std::function<void(SparseSystem &)> &add)
   {
     const ControlVectors x = positions(u, load);
     if (contact != nullptr)
@@ -124,8 +151,7 @@ namespace semilunar::shell
           [&](const std::vector<unsigned int> &control_points, const std::vector<double> &block)
           { matrix.add(control_points, block.data()); });
     }
-    if (shift > 0.)
-      matrix.add_diagonal(area, shift);
+    add(matrix);
     const Timers::Scope timer(timers, "linear solver");
     matrix.factorize();
   }
@@ -143,6 +169,32 @@ namespace semilunar::shell
       if (contact_point.pressure > 0.)
         pairs.emplace_back(points.element(contact_point.q), contact_point.partner.element);
     return pairs;
+  }
+
+  ControlVectors Equilibrium::external_forces(const ControlVectors &x, const double load) const
+  {
+    ControlVectors forces(x.size());
+    for (unsigned int c = 0; c < x.size(); ++c)
+      forces[c] = load * dead_forces[c];
+    if (pressure == 0.)
+      return forces;
+    for (unsigned int q = 0; q < points.n_points(); ++q)
+    {
+      const auto &element = surface.elements[points.element(q)];
+      const double *R = points.basis(q, spline::value);
+      spline::Tensor<1, 3> tangents[2];
+      for (unsigned int alpha = 0; alpha < 2; ++alpha)
+      {
+        const double *slope = points.basis(q, alpha == 0 ? spline::d1 : spline::d2);
+        for (unsigned int a = 0; a < element.n_functions(); ++a)
+          tangents[alpha] += slope[a] * x[element.control_points[a]];
+      }
+      const auto force =
+          -load * pressure * points.weight(q) * cross_product_3d(tangents[0], tangents[1]);
+      for (unsigned int a = 0; a < element.n_functions(); ++a)
+        forces[element.control_points[a]] += R[a] * force;
+    }
+    return forces;
   }
 
   void Equilibrium::load_derivative(const Vector &u, const double load, Vector &derivative)

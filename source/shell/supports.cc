@@ -161,6 +161,8 @@ namespace semilunar::shell
       if (!statement.empty())
         builder.apply(statement);
     equations.close();
+    if (parameters.may_move_rigidly)
+      return equations;
 
     const std::vector<unsigned int> n_free = free_rigid_motions(surface, equations);
     for (unsigned int part = 0; part < n_free.size(); ++part)

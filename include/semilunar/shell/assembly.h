@@ -34,6 +34,11 @@ namespace semilunar::shell
     double add(const ControlVectors &x, double pressure, ControlVectors &forces,
                const AddBlock &add_block) const;
 
+    /// Add the internal forces of the energy-momentum method between two positions of the control
+    /// points: conserving_gradient() at all points.
+    void add_conserving(const ControlVectors &from, const ControlVectors &to,
+                        ControlVectors &forces) const;
+
     /// What the section sees at any point of the surface with control points at x.
     SectionStrain section_strain(const ControlVectors &x, const spline::SurfacePoint &point) const;
     /// The same at a quadrature point.
@@ -53,6 +58,9 @@ namespace semilunar::shell
     spline::SurfaceJet jet(const double *positions, unsigned int q) const;
     void element_response(unsigned int element, const ControlVectors &x, double pressure,
                           bool with_tangent, Scratch &scratch, ElementResult &result) const;
+    void element_conserving(unsigned int element, const ControlVectors &from,
+                            const ControlVectors &to, Scratch &scratch,
+                            ElementResult &result) const;
   };
 } // namespace semilunar::shell
 

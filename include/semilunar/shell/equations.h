@@ -40,6 +40,9 @@ namespace semilunar::shell
       return (*this)(control_point, component) == none;
     }
 
+    /// Whether a displacement other than zero is prescribed.
+    bool moves_supports() const;
+
     /// Displacements of all control points, prescribed ones at this load factor.
     void expand(const dealii::Vector<double> &solution, double load_factor,
                 std::vector<dealii::Tensor<1, 3>> &displacements) const;

@@ -9,6 +9,8 @@
 #include <semilunar/shell/nonlinear_system.h>
 #include <semilunar/shell/sparse_system.h>
 
+#include <functional>
+
 namespace semilunar::shell
 {
   /// Static equilibrium of a shell under follower pressure, dead forces, prescribed displacements
@@ -27,6 +29,8 @@ namespace semilunar::shell
     unsigned int n_unknowns() const override { return equations.n_equations(); }
     double residual(const Vector &u, double load, Vector &r) override;
     void linearize(const Vector &u, double load, double shift) override;
+    /// The same with what @p add adds to the tangent, as the inertia of a time step.
+    void linearize(const Vector &u, double load, const std::function<void(SparseSystem &)> &add);
     void solve(Vector &right_hand_side) const override;
     const Vector &lumped_area() const override { return area; }
     void load_derivative(const Vector &u, double load, Vector &derivative) override;
@@ -34,10 +38,27 @@ namespace semilunar::shell
     double smallest_change() const override;
     void accept(const Vector &u, double load) override;
 
+    /// From now on, residuals have the internal forces of the energy-momentum method for a step
+    /// that starts from these positions and has u in its middle; with none, those of u itself.
+    void set_start_of_step(const ControlVectors &x) { start_of_step = x; }
+
     /// Positions of the control points.
     ControlVectors positions(const Vector &u, double load) const;
     /// Strain energy at the last residual().
     double strain_energy() const { return energy; }
+    /// Forces of pressure and dead loads on the control points at x: what the residual subtracts.
+    ControlVectors external_forces(const ControlVectors &x, double load) const;
+
+    /// The pairs of elements that have touched so far. They belong to a state from which a run is
+    /// to go on bit for bit: rounding in the linear solver depends on the matrix's sparsity.
+    std::vector<std::pair<unsigned int, unsigned int>> touched_elements() const
+    {
+      return matrix.coupled_pairs();
+    }
+    void restore_touched(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
+    {
+      matrix.couple(pairs);
+    }
 
   private:
     const Equations &equations;
@@ -45,11 +66,15 @@ namespace semilunar::shell
     const double pressure;
     const ControlVectors &dead_forces;
     Contact *const contact;
+    const spline::Surface &surface;
     const ControlVectors undeformed;
+    ControlVectors start_of_step; // none: static
     SparseSystem matrix;
     Vector area;
     const double load_norm; // of the external forces at load factor one
     double energy = 0.;
+    /// Forces on the control points at x but for contact.
+    ControlVectors internal_minus_external(const ControlVectors &x, double load);
     std::vector<std::pair<unsigned int, unsigned int>> touching_elements() const;
     const QuadraturePoints &points;
     Timers &timers;

@@ -24,6 +24,12 @@ namespace semilunar::shell
     /// already.
     void couple(const std::vector<std::pair<unsigned int, unsigned int>> &element_pairs);
 
+    /// The pairs coupled so far, in ascending order.
+    std::vector<std::pair<unsigned int, unsigned int>> coupled_pairs() const
+    {
+      return {coupled.begin(), coupled.end()};
+    }
+
     void set_zero() { matrix = 0.; }
 
     /// Add a dense block to all free components of these control points: (3c) x (3c), row by row,

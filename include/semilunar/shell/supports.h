@@ -13,13 +13,14 @@ namespace semilunar::shell
   struct SupportParameters
   {
     std::string supports;
+    bool may_move_rigidly = false; ///< pieces that are not held: for inertia only
 
     void add_parameters(dealii::ParameterHandler &prm);
   };
 
   /// Build the equations of a surface under these supports.
   /// @throws InputError for an unknown verb or place, and for a rigid motion of a piece of the
-  /// surface that the supports leave free
+  /// surface that the supports leave free (unless it may)
   Equations make_equations(const spline::Surface &surface, const SupportParameters &parameters);
 
   /// Number of independent rigid motions (0 to 6) of each connected piece that the equations leave
