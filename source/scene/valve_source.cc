@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/scene/valve_source.h>
 #include <semilunar/valve/leaflets.h>
 
@@ -20,6 +21,11 @@ namespace semilunar::scene
 
   spline::Surface ValveSource::build() const
   {
+    // a half turn maps an ellipse onto itself, a third of a turn does not
+    if (leaflets == "one" && design.ellipticity != 1. && design.n_leaflets != 2)
+      throw InputError("Valve/Modelled leaflets", leaflets,
+                       "the leaflets of an oval stent differ from each other",
+                       "choose all, or Ellipticity = 1");
     return leaflets == "one" ? valve::leaflet(design) : valve::leaflets(design);
   }
 

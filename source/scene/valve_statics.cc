@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/scene/valve_statics.h>
+#include <semilunar/valve/deployment.h>
 #include <semilunar/valve/orifice.h>
 #include <semilunar/valve/symmetry.h>
 
@@ -83,8 +84,12 @@ namespace semilunar::scene
   {
     auto &quantities = results.quantities;
     const double thickness = model.section->thickness();
+    // what the leaflets of an oval stent leave free, seen on the round one
+    const valve::CrossSection section = valve::cross_section(source.design);
     const double orifice =
-        valve::orifice_area(model.symmetry.whole(model.surface), model.symmetry.whole(x),
+        section.longer * section.shorter *
+        valve::orifice_area(model.symmetry.whole(model.surface),
+                            valve::undeployed(model.symmetry.whole(x), source.design),
                             source.design.radius, thickness);
     quantities.push_back({"orifice_area", orifice, "cm^2"});
     if (source.n_sectors() == 1)

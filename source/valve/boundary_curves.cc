@@ -112,7 +112,7 @@ namespace semilunar::valve
     void add_free_edge(BoundaryCurves &curves, const Design &design)
     {
       const unsigned int n = curves.scallop.size();
-      const double R = design.radius, angle = design.half_angle();
+      const double R = design.commissure_radius(), angle = design.half_commissure_angle();
       const Point<3> commissure(R * std::cos(angle), -R * std::sin(angle),
                                 design.commissure_height);
       const Point<3> between(commissure[0], 0., commissure[2]);

@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace semilunar::valve
@@ -25,6 +26,12 @@ namespace semilunar::valve
 
     /// Free edges further out than this share of R leave no leaflet.
     constexpr double largest_gap_share = 0.8;
+
+    /// Posts may lean so far towards the axis or away from it [degree].
+    constexpr double largest_lean = 30.;
+
+    /// Stents expand to at least this share, and get no flatter.
+    constexpr double smallest_expansion = 0.5, smallest_ellipticity = 0.4;
 
     /// Narrower bellies would be a dent between two control points of the base patch.
     constexpr double smallest_belly_width = 0.3;
@@ -75,6 +82,39 @@ namespace semilunar::valve
           Patterns::Double(smallest_belly_width, 1.));
     }
 
+    void add_deployment_parameters(Design &d, ParameterHandler &prm)
+    {
+      prm.add_parameter("Post lean", d.post_lean,
+                        "Angle by which the posts lean towards the axis, each about its foot "
+                        "[degree], -30 to 30; distances between neighboring leaflets stay",
+                        Patterns::Double(-largest_lean, largest_lean));
+      prm.add_parameter("Expansion", d.expansion,
+                        "Circumference of the stent as a share of the design's [-], 0.5 to 1: less "
+                        "than 1 for an under-expanded valve. Everything is scaled across the axis",
+                        Patterns::Double(smallest_expansion, 1.));
+      prm.add_parameter("Ellipticity", d.ellipticity,
+                        "Shorter by longer axis of the stent's cross-section [-], 0.4 to 1, at the "
+                        "same circumference",
+                        Patterns::Double(smallest_ellipticity, 1.));
+      prm.add_parameter("Ellipse direction", d.ellipse_direction,
+                        "Direction of the longer axis, from x (the middle of leaflet 1) towards y "
+                        "[degree]",
+                        Patterns::Double(-360., 360.));
+    }
+
+    void add_layout(Design &d, ParameterHandler &prm)
+    {
+      const std::map<std::string, LeafletLayout> layouts = {{"uniform", LeafletLayout::uniform},
+                                                            {"T-spline", LeafletLayout::t_spline}};
+      prm.declare_entry(
+          "Layout", "uniform", Patterns::Selection("uniform|T-spline"),
+          "Arrangement of a leaflet's elements: a grid of Elements along x Elements "
+          "across, or a coarser grid that is refined where section T-spline says. The "
+          "surface is the same");
+      prm.add_action("Layout",
+                     [&d, layouts](const std::string &name) { d.layout = layouts.at(name); });
+    }
+
     void add_stent_parameters(Design &d, ParameterHandler &prm)
     {
       const Patterns::Integer positive(1);
@@ -92,6 +132,12 @@ namespace semilunar::valve
       prm.add_parameter("Elements across post", d.stent.n_elements_across_post, ">= 1", positive);
       prm.add_parameter("Elements up post", d.stent.n_elements_up_post,
                         "Elements from the post foot to the commissure, >= 1", positive);
+      prm.declare_entry("Degree across", std::to_string(d.stent.degree_across),
+                        Patterns::Selection("1|3"),
+                        "Degree from ring to scallop, across the ring and up the posts, where the "
+                        "stent is straight: 1 describes it with fewer control points");
+      prm.add_action("Degree across", [&d](const std::string &degree)
+                     { d.stent.degree_across = std::stoi(degree); });
       prm.leave_subsection();
     }
 
@@ -144,6 +190,26 @@ namespace semilunar::valve
               "choose more than the post foot height, " + text(d.post_foot_height));
     }
 
+    void check_deployment(const Design &d, const Requirements &require)
+    {
+      require(std::abs(d.post_lean) <= largest_lean, "Post lean", d.post_lean, "out of range",
+              "choose -30 to 30 degrees");
+      // posts that lean inward come closer to each other than the leaflets between them are wide
+      const double smallest =
+          d.post_width / (2. * std::sin(largest_post_share * dealii::numbers::PI / d.n_leaflets));
+      require(d.commissure_radius() >= smallest, "Post lean", d.post_lean,
+              "the posts meet: their tops would lie " + text(d.commissure_radius()) +
+                  " from the axis",
+              "choose a smaller angle or a lower commissure; at least " + text(smallest) +
+                  " is needed");
+      require(d.expansion >= smallest_expansion && d.expansion <= 1., "Expansion", d.expansion,
+              "out of range", "choose 0.5 to 1");
+      require(d.ellipticity >= smallest_ellipticity && d.ellipticity <= 1., "Ellipticity",
+              d.ellipticity, "out of range", "choose 0.4 to 1");
+      require(std::isfinite(d.ellipse_direction), "Ellipse direction", d.ellipse_direction,
+              "not an angle", "choose degrees from the x axis");
+    }
+
     void check_free_edge_and_belly(const Design &d, const Requirements &require)
     {
       require(d.free_edge_height > d.nadir_height && std::isfinite(d.free_edge_height),
@@ -153,9 +219,9 @@ namespace semilunar::valve
       require(d.free_edge_gap >= smallest, "Free edge gap", d.free_edge_gap,
               "neighboring leaflets would come closer than the post width",
               "choose at least " + text(smallest) + " or smaller posts");
-      require(d.free_edge_gap <= largest_gap_share * d.radius, "Free edge gap", d.free_edge_gap,
-              "the free edge would lie at the wall",
-              "choose at most " + text(largest_gap_share * d.radius));
+      const double largest = largest_gap_share * std::min(d.radius, d.commissure_radius());
+      require(d.free_edge_gap <= largest, "Free edge gap", d.free_edge_gap,
+              "the free edge would lie at the wall", "choose at most " + text(largest));
       require(d.belly >= 0. && d.belly <= 1., "Belly", d.belly, "out of range", "choose 0 to 1");
       require(d.belly_height >= -d.radius && d.belly_height < d.free_edge_height, "Belly height",
               d.belly_height, "the belly would lie above the free edge or far below the valve",
@@ -183,13 +249,19 @@ namespace semilunar::valve
   {
     add_boundary_parameters(*this, prm);
     add_belly_parameters(*this, prm);
-    prm.add_parameter("Elements along", n_elements_along,
-                      "Elements of each leaflet from commissure to commissure, even, >= 8; any "
-                      "number describes the same surface",
-                      Patterns::Integer(n_base_elements));
-    prm.add_parameter("Elements across", n_elements_across,
-                      "Elements of each leaflet from attachment to free edge, >= 1",
-                      Patterns::Integer(1));
+    add_deployment_parameters(*this, prm);
+    add_layout(*this, prm);
+    prm.add_parameter(
+        "Elements along", n_elements_along,
+        "Elements of each leaflet from commissure to commissure in the uniform layout, "
+        "even, >= 8; any number describes the same surface",
+        Patterns::Integer(n_base_elements));
+    prm.add_parameter(
+        "Elements across", n_elements_across,
+        "Elements of each leaflet from attachment to free edge in the uniform layout, "
+        ">= 1",
+        Patterns::Integer(1));
+    zones.add_parameters(prm);
     add_stent_parameters(*this, prm);
   }
 
@@ -197,9 +269,12 @@ namespace semilunar::valve
   {
     const Requirements require(section);
     check_attachment(*this, require);
+    check_deployment(*this, require);
     check_free_edge_and_belly(*this, require);
     check_number_along(n_elements_along, "Elements along", require);
     check_positive(n_elements_across, "Elements across", require);
+
+    zones.check(section + "/T-spline");
 
     require(stent.ring_outer_radius > radius && std::isfinite(stent.ring_outer_radius),
             "Stent/Suture ring outer radius", stent.ring_outer_radius,
@@ -215,6 +290,19 @@ namespace semilunar::valve
   double Design::half_angle() const
   {
     return dealii::numbers::PI / n_leaflets - std::asin(post_width / (2. * radius));
+  }
+
+  double Design::commissure_radius() const
+  {
+    constexpr double degree = dealii::numbers::PI / 180.;
+    return post_lean == 0.
+               ? radius
+               : radius - (commissure_height - post_foot_height) * std::tan(post_lean * degree);
+  }
+
+  double Design::half_commissure_angle() const
+  {
+    return dealii::numbers::PI / n_leaflets - std::asin(post_width / (2. * commissure_radius()));
   }
 
   double Design::smallest_gap() const

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/valve/boundary_curves.h>
+#include <semilunar/valve/deployment.h>
+#include <semilunar/valve/leaflet_t_spline.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/refine.h>
 #include <semilunar/valve/turn.h>
 
-#include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace semilunar::valve
 {
@@ -40,25 +42,32 @@ namespace semilunar::valve
       return {{bottom, bottom + 1. / 3. * (top - bottom), bottom + 2. / 3. * (top - bottom), top}};
     }
 
-    /// The node sets of one leaflet.
-    std::vector<NamedSet> leaflet_sets(const NurbsPatch &patch)
+    /// The members of several sets, each once, but those of others.
+    NamedSet united(const std::string &name, const Surface &surface,
+                    const std::vector<std::string> &parts, const NamedSet &without)
     {
-      const unsigned int n = patch.n_control_points(0), m = patch.n_control_points(1);
-      NamedSet attachment{SetKind::node, "attachment", {}};
-      NamedSet next{SetKind::node, "nextAttachment", {}};
-      NamedSet free_edge{SetKind::node, "freeEdge", {}};
-      for (unsigned int j = 0; j < m; ++j)
-        for (unsigned int i = 0; i < n; ++i)
-        {
-          const unsigned int row = std::min({i, n - 1 - i, j});
-          if (row == 0)
-            attachment.members.push_back(j * n + i);
-          else if (row == 1)
-            next.members.push_back(j * n + i);
-          if (j == m - 1)
-            free_edge.members.push_back(j * n + i);
-        }
-      return {attachment, next, free_edge};
+      std::set<unsigned int> members;
+      for (const std::string &part : parts)
+      {
+        const std::vector<unsigned int> &more = surface.find_set(SetKind::node, part)->members;
+        members.insert(more.begin(), more.end());
+      }
+      for (const unsigned int i : without.members)
+        members.erase(i);
+      return {SetKind::node, name, {members.begin(), members.end()}};
+    }
+
+    /// The node sets of a leaflet from those of its four edges.
+    std::vector<NamedSet> leaflet_sets(const Surface &surface)
+    {
+      const NamedSet attachment =
+          united("attachment", surface, {"left", "right", "bottom"}, {SetKind::node, "", {}});
+      NamedSet free_edge = *surface.find_set(SetKind::node, "top");
+      free_edge.name = "freeEdge";
+      return {
+          attachment,
+          united("nextAttachment", surface, {"nextLeft", "nextRight", "nextBottom"}, attachment),
+          free_edge};
     }
 
     NamedSet all_members(const SetKind kind, const std::string &name, const unsigned int n)
@@ -67,6 +76,7 @@ namespace semilunar::valve
       std::iota(set.members.begin(), set.members.end(), 0u);
       return set;
     }
+
     /// Add the sets that hold all of a leaflet, as the last two.
     void name_leaflet(Surface &surface, const unsigned int number)
     {
@@ -98,21 +108,40 @@ namespace semilunar::valve
     return NurbsPatch({{curves.knots, spline::KnotVector::uniform(3, 1)}}, net);
   }
 
+  namespace
+  {
+    /// The first leaflet in the circular design with the sets of to_surface().
+    Surface circular_leaflet(const Design &design)
+    {
+      if (design.layout == LeafletLayout::t_spline)
+        return spline::to_surface(leaflet_t_spline(design), "Valve/T-spline");
+      NurbsPatch patch = leaflet_patch(design);
+      refine(patch, 0, design.n_elements_along);
+      refine(patch, 1, design.n_elements_across);
+      return spline::to_surface(patch);
+    }
+
+    /// The same with the sets of leaflets().
+    Surface named_leaflet(const Design &design)
+    {
+      Surface surface = circular_leaflet(design);
+      surface.sets = leaflet_sets(surface);
+      name_leaflet(surface, 1);
+      return surface;
+    }
+  } // namespace
+
   Surface leaflet(const Design &design)
   {
-    NurbsPatch patch = leaflet_patch(design);
-    refine(patch, 0, design.n_elements_along);
-    refine(patch, 1, design.n_elements_across);
-    Surface surface = spline::to_surface(patch);
-    surface.sets = leaflet_sets(patch);
-    name_leaflet(surface, 1);
+    Surface surface = named_leaflet(design);
+    deploy(surface.control_points, design);
     return surface;
   }
 
   Surface leaflets(const Design &design)
   {
     Surface all;
-    const Surface first = leaflet(design);
+    const Surface first = named_leaflet(design);
     for (unsigned int k = 0; k < design.n_leaflets; ++k)
     {
       Surface surface = first;
@@ -122,6 +151,7 @@ namespace semilunar::valve
       const double merge_nothing = -1.;
       spline::append(all, surface, merge_nothing);
     }
+    deploy(all.control_points, design);
     return all;
   }
 } // namespace semilunar::valve

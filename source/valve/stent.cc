@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/spline/primitives.h>
 #include <semilunar/valve/boundary_curves.h>
+#include <semilunar/valve/deployment.h>
 #include <semilunar/valve/refine.h>
 #include <semilunar/valve/stent.h>
 #include <semilunar/valve/turn.h>
@@ -48,11 +49,10 @@ namespace semilunar::valve
     }
 
     /// The arc across the post behind the first leaflet's end at positive y, z = 0.
-    Curve post_arc(const Design &design)
+    Curve post_arc(const Design &design, const double radius, const double begin)
     {
-      const double begin = design.half_angle();
       const double end = 2. * dealii::numbers::PI / design.n_leaflets - begin;
-      NurbsPatch strip = spline::cylinder(design.radius, begin, end, 0., 1.);
+      NurbsPatch strip = spline::cylinder(radius, begin, end, 0., 1.);
       strip.elevate_degree(0, 3 - strip.knots(0).degree());
       Curve arc{strip.knots(0), {}};
       for (unsigned int i = 0; i < strip.n_control_points(0); ++i)
@@ -60,17 +60,26 @@ namespace semilunar::valve
       return arc;
     }
 
-    /// The ruled cubic patch between two curves with the same knots and weights, (V7).
-    NurbsPatch ruled(const Curve &first, const Curve &second)
+    /// The share of the way from one control point to the other in homogeneous coordinates.
+    ControlPoint between(const ControlPoint &first, const ControlPoint &second, const double share)
+    {
+      if (share == 1.)
+        return second;
+      const auto way = second.position - first.position;
+      if (first.weight == second.weight)
+        return {first.position + share * way, first.weight};
+      const double weight = first.weight + share * (second.weight - first.weight);
+      return {first.position + share * second.weight / weight * way, weight};
+    }
+
+    /// The ruled patch between two curves with the same knots, (V7), cubic along the curves.
+    NurbsPatch ruled(const Curve &first, const Curve &second, const unsigned int degree_across)
     {
       std::vector<ControlPoint> net;
-      for (unsigned int j = 0; j < 4; ++j)
+      for (unsigned int j = 0; j <= degree_across; ++j)
         for (unsigned int i = 0; i < first.points.size(); ++i)
-        {
-          const auto &a = first.points[i].position, &b = second.points[i].position;
-          net.push_back({j == 3 ? b : a + j / 3. * (b - a), first.points[i].weight});
-        }
-      return NurbsPatch({{first.knots, KnotVector::uniform(3, 1)}}, net);
+          net.push_back(between(first.points[i], second.points[i], double(j) / degree_across));
+      return NurbsPatch({{first.knots, KnotVector::uniform(degree_across, 1)}}, net);
     }
 
     /// How the edges and elements of a patch are called.
@@ -119,24 +128,29 @@ namespace semilunar::valve
     const auto &n = design.stent;
     const BoundaryCurves curves = boundary_curves(design);
     const Curve scallop{curves.knots, curves.scallop};
-    const Curve wall_foot = at_height(scallop, 0.), post_foot = post_arc(design);
+    const Curve wall_foot = at_height(scallop, 0.);
+    const Curve post_foot = post_arc(design, design.radius, design.half_angle());
+    const Curve post_top =
+        post_arc(design, design.commissure_radius(), design.half_commissure_angle());
     const double ring = n.ring_outer_radius / design.radius;
     const std::string edge = "leafletEdge", outer = "outerEdge";
 
     Surface stent;
-    add_copies(stent, ruled(wall_foot, scallop), n.n_elements_along, n.n_wall_elements,
-               {"wall", "", edge, ""}, design);
-    add_copies(stent, ruled(post_foot, at_height(post_foot, design.post_foot_height)),
-               n.n_elements_across_post, n.n_wall_elements, {"posts", "", "", ""}, design);
-    add_copies(stent,
-               ruled(at_height(post_foot, design.post_foot_height),
-                     at_height(post_foot, design.commissure_height)),
-               n.n_elements_across_post, n.n_elements_up_post, {"posts", "", "", edge}, design);
+    const auto add = [&](const Curve &first, const Curve &second, const unsigned int n_first,
+                         const unsigned int n_second, const PatchNames &names)
+    { add_copies(stent, ruled(first, second, n.degree_across), n_first, n_second, names, design); };
+    add(wall_foot, scallop, n.n_elements_along, n.n_wall_elements, {"wall", "", edge, ""});
+    add(post_foot, at_height(post_foot, design.post_foot_height), n.n_elements_across_post,
+        n.n_wall_elements, {"posts", "", "", ""});
+    add(at_height(post_foot, design.post_foot_height),
+        at_height(post_top, design.commissure_height), n.n_elements_across_post,
+        n.n_elements_up_post, {"posts", "", "", edge});
     // from outside inward, so that neighbors across the wall's foot have the same orientation
-    add_copies(stent, ruled(stretched(wall_foot, ring), wall_foot), n.n_elements_along,
-               n.n_ring_elements, {"ring", outer, "", ""}, design);
-    add_copies(stent, ruled(stretched(post_foot, ring), post_foot), n.n_elements_across_post,
-               n.n_ring_elements, {"ring", outer, "", ""}, design);
+    add(stretched(wall_foot, ring), wall_foot, n.n_elements_along, n.n_ring_elements,
+        {"ring", outer, "", ""});
+    add(stretched(post_foot, ring), post_foot, n.n_elements_across_post, n.n_ring_elements,
+        {"ring", outer, "", ""});
+    deploy(stent.control_points, design);
     return stent;
   }
 } // namespace semilunar::valve
