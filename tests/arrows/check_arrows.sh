@@ -13,6 +13,7 @@ declare -A may_include=(
   [valve]="core spline valve"
   [shell]="core spline shell"
   [mesh]="core mesh"
+  [flow]="core mesh flow"
   [output]="core spline shell mesh flow output"
   [scene]="core spline valve shell mesh flow output scene"
   [main]="core scene"

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_boundary_conditions_h
+#define semilunar_flow_boundary_conditions_h
+
+#include <semilunar/flow/cell_forms.h>
+#include <semilunar/flow/pressure_models.h>
+
+#include <deal.II/base/types.h>
+
+#include <map>
+#include <memory>
+
+namespace semilunar::flow
+{
+  /// sigma n [dyn/cm^2] at a point of the boundary with outward normal n.
+  template <int dim>
+  using TractionFunction = std::function<dealii::Tensor<1, dim>(
+      const dealii::Point<dim> &x, const dealii::Tensor<1, dim> &normal, double time)>;
+
+  /// What happens at each part of the boundary. Where parts meet, walls and given velocities win
+  /// over slip, walls over given velocities.
+  template <int dim>
+  class BoundaryConditions
+  {
+  public:
+    enum class Kind
+    {
+      wall,
+      slip,
+      velocity,
+      traction,
+      open
+    };
+    struct Condition
+    {
+      Kind kind;
+      VectorFunction<dim> velocity;
+      TractionFunction<dim> traction;
+      std::shared_ptr<PressureModel> pressure;
+    };
+    using Id = dealii::types::boundary_id;
+
+    /// No slip: the velocity of the mesh.
+    void set_wall(const Id id) { conditions[id] = {Kind::wall, {}, {}, {}}; }
+    /// No flow through the (moving) boundary, no tangential traction.
+    void set_slip(const Id id) { conditions[id] = {Kind::slip, {}, {}, {}}; }
+    void set_velocity(const Id id, VectorFunction<dim> velocity)
+    {
+      conditions[id] = {Kind::velocity, std::move(velocity), {}, {}};
+    }
+    void set_traction(const Id id, TractionFunction<dim> traction)
+    {
+      conditions[id] = {Kind::traction, {}, std::move(traction), {}};
+    }
+    /// Traction -p n, stabilised against backflow.
+    void set_open(const Id id, std::shared_ptr<PressureModel> pressure)
+    {
+      conditions[id] = {Kind::open, {}, {}, std::move(pressure)};
+    }
+
+    const std::map<Id, Condition> &all() const { return conditions; }
+
+    /// Whether nothing fixes the level of the pressure.
+    bool closed() const
+    {
+      for (const auto &[id, condition] : conditions)
+        if (condition.kind == Kind::traction || condition.kind == Kind::open)
+          return false;
+      return true;
+    }
+
+  private:
+    std::map<Id, Condition> conditions;
+  };
+} // namespace semilunar::flow
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_equations_h
+#define semilunar_flow_equations_h
+
+#include <semilunar/flow/boundary_conditions.h>
+#include <semilunar/flow/boundary_faces.h>
+#include <semilunar/flow/cell_forms.h>
+#include <semilunar/flow/flow_vector.h>
+#include <semilunar/flow/point_terms.h>
+#include <semilunar/flow/velocity_constraints.h>
+
+namespace semilunar::flow
+{
+  /// The discrete equations of a time step: residual and its derivative, cells, boundaries and
+  /// points together. Residuals are masked: zero where velocities are given.
+  template <int dim>
+  class Equations
+  {
+  public:
+    Equations(const Spaces<dim> &spaces, const Parameters &parameters,
+              const BoundaryConditions<dim> &conditions);
+
+    /// After the mesh was refined. @param positions of the nodes, readable
+    void reinit(const Vector &positions);
+    /// After nodes have moved.
+    void update_geometry(const Vector &positions);
+
+    /// A step: what is fixed during its iterations. All vectors readable.
+    struct Step
+    {
+      Bdf bdf;
+      double time = 0.;                      ///< the new one
+      const Vector *history = nullptr;       ///< alpha_1 u_old + alpha_2 u_older
+      const Vector *mesh_velocity = nullptr; ///< nullptr: at rest
+    };
+    void start_step(const Step &step, const VectorFunction<dim> &body_force);
+    /// @param advecting readable
+    void linearise(const Vector &advecting, bool newton);
+
+    /// Ghosts of (velocity, pressure) are updated. @return the norms of both residuals
+    void residual(const FlowVector &state, FlowVector &r);
+    /// The same without the mask: forces of the boundary where velocities are given.
+    void unmasked_residual(const FlowVector &state, FlowVector &r);
+    /// Derivative of the residual.
+    void vmult(FlowVector &result, const FlowVector &x) const;
+    /// result = derivative of the momentum residual with respect to the pressure, times p.
+    void gradient(Vector &result, const Vector &p) const;
+
+    /// alpha_0 of the step [1/s]
+    double inertia() const { return step.bdf.alpha[0]; }
+    const Spaces<dim> &spaces() const { return space; }
+    CellForms<dim> &cells() { return *forms; }
+    const CellForms<dim> &cells() const { return *forms; }
+    BoundaryFaces<dim> &faces() { return boundary; }
+    const BoundaryFaces<dim> &faces() const { return boundary; }
+    VelocityConstraints<dim> &constraints() { return fixed; }
+    const VelocityConstraints<dim> &constraints() const { return fixed; }
+    PointTerms<dim> &points() { return point_terms; }
+    const PointTerms<dim> &points() const { return point_terms; }
+    const BoundaryConditions<dim> &conditions() const { return bc; }
+
+    /// Integral of u.n over each open part at once (one reduction).
+    std::map<dealii::types::boundary_id, double> open_flow_rates(const Vector &velocity) const;
+
+  private:
+    void finish_momentum(Vector &momentum, bool masked) const;
+    void finish_continuity(Vector &continuity) const;
+
+    const Spaces<dim> &space;
+    const Parameters &prm;
+    const BoundaryConditions<dim> &bc;
+    std::unique_ptr<CellForms<dim>> forms;
+    BoundaryFaces<dim> boundary;
+    VelocityConstraints<dim> fixed;
+    PointTerms<dim> point_terms;
+    Step step;
+    std::map<dealii::types::boundary_id, PressureModel::Relation> relations;
+    bool has_resistance = false;
+  };
+} // namespace semilunar::flow
+
+#endif

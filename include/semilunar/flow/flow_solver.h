@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_flow_solver_h
+#define semilunar_flow_flow_solver_h
+
+#include <semilunar/flow/saddle_point_solver.h>
+
+#include <deal.II/fe/mapping_q_cache.h>
+
+namespace semilunar::flow
+{
+  /// What a time step did.
+  struct StepReport
+  {
+    double time = 0., dt = 0.;
+    unsigned int n_nonlinear = 0, n_linear = 0; ///< iterations
+    double residual = 0.;                       ///< of the first linear system at its end [dyn]
+    double cfl = 0.;                            ///< largest |u - uhat| dt degree / h
+    double cell_reynolds = 0.;                  ///< largest rho |u - uhat| h / (degree mu)
+    double time_error = 0.; ///< estimate relative to the largest velocity; 0 in first steps
+    std::map<dealii::types::boundary_id, double> flow_rate;     ///< out of open parts [cm^3/s]
+    std::map<dealii::types::boundary_id, double> mean_pressure; ///< of open parts [dyn/cm^2]
+  };
+
+  /// Blood flow in time on a mesh that may move: everything that one needs to build on.
+  ///
+  /// advance(dt) makes a step. What is coupled to the flow in iterations uses its parts instead:
+  /// start_step(dt); any number of times move_mesh(x) and solve_step(); then accept_step(), or
+  /// reject_step() to be where the step began.
+  template <int dim>
+  class FlowSolver
+  {
+  public:
+    using Id = dealii::types::boundary_id;
+    using Point = dealii::Point<dim>;
+
+    /// @param mapping gives the positions of the nodes; not used later
+    /// @throws InputError for wrong parameters and parts of the boundary without a condition
+    FlowSolver(const Parameters &parameters,
+               dealii::parallel::distributed::Triangulation<dim> &triangulation,
+               const dealii::Mapping<dim> &mapping, const BoundaryConditions<dim> &conditions,
+               Timers &timers);
+
+    /// Force per volume [dyn/cm^3].
+    void set_body_force(const VectorFunction<dim> &force) { body_force = force; }
+    /// Where a node that was at x when the solver was made is at a time: moves the mesh in
+    /// start_step().
+    void set_mesh_motion(const VectorFunction<dim> &motion) { mesh_motion = motion; }
+
+    /// Start at rest.
+    void initialise(double time);
+    /// Start from velocities, pressures 0 (or as given) [dyn/cm^2]. With a function that holds
+    /// before the start as well, and the first step dt, the first step is of second order.
+    void initialise(double time, const VectorFunction<dim> &velocity,
+                    const std::function<double(const Point &, double)> &pressure = {},
+                    double first_dt = 0.);
+
+    /// @throws NumericsError; then the state is that before the step
+    StepReport advance(double dt);
+
+    void start_step(double dt);
+    /// New positions of the nodes in this step (readable not needed).
+    void move_mesh(const Vector &new_positions);
+    void solve_step();
+    StepReport accept_step();
+    void reject_step();
+
+    /// The next step as controlled by the parameters: dt itself if fixed.
+    double suggested_dt(double dt) const;
+
+    double time() const { return current_time; }
+    const Spaces<dim> &spaces() const { return space; }
+    const Vector &velocity() const { return state.velocity; }
+    const Vector &pressure() const { return state.pressure; }
+    const Vector &positions() const { return nodes; }
+    /// uhat at the nodes; zero on a mesh that does not move
+    const Vector &mesh_velocity() const { return node_velocity; }
+    /// One component on velocity_dofs(), ghosted.
+    Vector velocity_component(unsigned int c) const;
+    /// Of the current positions.
+    const dealii::Mapping<dim> &mapping() const;
+
+    /// Integrals over a part of the boundary, collective: of u.n, mean of p, its area.
+    double flow_rate(Id id) const;
+    double mean_pressure(Id id) const;
+    double area(Id id) const { return equations.faces().part(id).area; }
+    /// Force of the boundary on the fluid [dyn]: the residual of the momentum equation there. Of
+    /// the state after a step. Collective.
+    dealii::Tensor<1, dim> force(Id id);
+
+    /// Where immersed structures and marked cells enter. After changes of points or marked cells
+    /// call preconditioner().invalidate_momentum().
+    PointTerms<dim> &points() { return equations.points(); }
+    CellForms<dim> &cells() { return equations.cells(); }
+    SaddlePointSolver<dim> &preconditioner() { return linear_solver; }
+
+  private:
+    void make_nodes(const dealii::Mapping<dim> &mapping);
+    Vector interpolate(const VectorFunction<dim> &function, const Vector &at, double time) const;
+    void reinit_vectors();
+    void evaluate_geometry();
+    void first_guess();
+    unsigned int nonlinear_iteration(double target, bool newton);
+    bool moving() const { return mesh_moves; }
+    StepReport report() const;
+
+    const Parameters prm;
+    Timers &timers;
+    const BoundaryConditions<dim> conditions;
+    dealii::parallel::distributed::Triangulation<dim> &triangulation;
+    Spaces<dim> space;
+    Equations<dim> equations;
+    SaddlePointSolver<dim> linear_solver;
+    VectorFunction<dim> body_force, mesh_motion;
+
+    // Velocities, pressures and positions at the new time (equal to the old one between steps),
+    // at the old time and before.
+    FlowVector state, old_state, older_state;
+    Vector nodes, old_nodes, older_nodes, reference_nodes, node_velocity;
+    Vector history, advecting;
+    FlowVector residual, change;
+    double current_time = 0., old_dt = 0.;
+    unsigned int n_steps = 0; ///< accepted since the start, or since the mesh began to count
+    Bdf bdf;
+    bool mesh_moves = false, in_step = false;
+    StepReport current;
+    mutable dealii::MappingQCache<dim> moved_mapping;
+    mutable bool mapping_is_valid = false;
+  };
+} // namespace semilunar::flow
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_momentum_matrix_h
+#define semilunar_flow_momentum_matrix_h
+
+#include <semilunar/flow/equations.h>
+#include <semilunar/flow/ilu.h>
+
+namespace semilunar::flow
+{
+  /// The matrix of one velocity component between the nodes of a rank, the same for all components:
+  /// what the velocity is preconditioned with. Rows of nodes whose velocity is given in all
+  /// directions are those of the identity.
+  template <int dim>
+  class MomentumMatrix
+  {
+  public:
+    /// Build the pattern.
+    explicit MomentumMatrix(const Spaces<dim> &spaces);
+    void reinit();
+
+    /// Assemble the state that the equations were linearised about.
+    void assemble(const Equations<dim> &equations);
+
+    const CompressedRows &rows() const { return matrix; }
+    /// Diagonal entries; 1 where all components are given.
+    std::vector<double> diagonal() const;
+
+  private:
+    void find_places();
+    void add_batch(unsigned int batch, const Lanes *cell_matrix);
+    void add_entry(const CellLane &cell, unsigned int i, unsigned int j, double entry);
+    float *find(unsigned int row, unsigned int column);
+    void eliminate(const VelocityConstraints<dim> &constraints);
+
+    /// Place in its row of each pair of nodes of a cell, or this if one of them hangs or belongs to
+    /// another rank.
+    static constexpr unsigned short absent = -1;
+
+    const Spaces<dim> &spaces;
+    unsigned int n_cell_nodes, n_owned = 0;
+    CompressedRows matrix;
+    std::vector<unsigned short> place; ///< [batch][lane][i][j]
+    std::vector<bool> irregular;       ///< [batch * n_lanes + lane]: a node hangs
+  };
+} // namespace semilunar::flow
+
+#endif

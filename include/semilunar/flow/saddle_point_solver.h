@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_saddle_point_solver_h
+#define semilunar_flow_saddle_point_solver_h
+
+#include <semilunar/core/timers.h>
+#include <semilunar/flow/momentum_matrix.h>
+#include <semilunar/flow/schur_preconditioner.h>
+
+namespace semilunar::flow
+{
+  /// Flexible GMRES for velocity and pressure together, right preconditioned with the block
+  /// triangular matrix of equation (14). What it is preconditioned with is kept as long as that
+  /// pays.
+  template <int dim>
+  class SaddlePointSolver
+  {
+  public:
+    SaddlePointSolver(const Equations<dim> &equations, const Parameters &parameters,
+                      Timers &timers);
+
+    /// The mesh was refined: everything is made anew.
+    void reinit();
+    /// What acts at points or the weights of marked cells have changed: factorise before the next
+    /// solution.
+    void invalidate_momentum() { momentum_is_valid = false; }
+
+    /// Norm of residuals with the weight of the continuity equation. Collective.
+    double norm(const FlowVector &residual) const;
+    /// Weight of continuity residuals against momentum residuals [dyn s/cm^3]; set before norm().
+    void set_continuity_weight(const double w) { weight = w; }
+
+    /// Solve J x = b with the derivative J that the equations were linearised to.
+    /// @param target norm of b - J x to reach
+    /// @return iterations
+    /// @throws NumericsError after the largest number of iterations
+    unsigned int solve(FlowVector &x, const FlowVector &b, double target);
+
+  private:
+    void prepare();
+    void precondition(FlowVector &z, const FlowVector &r) const;
+    void remove_mean(Vector &pressure) const;
+    /// GMRES until it starts again; size: norm of the residual r, then of what is left.
+    unsigned int iterate(FlowVector &x, const FlowVector &r, double target,
+                         unsigned int max_iterations, double &size);
+    /// Scalar products of v with the first n vectors of the basis, and with itself. Collective.
+    std::vector<double> products(const FlowVector &v, unsigned int n) const;
+
+    const Equations<dim> &equations;
+    const Parameters &prm;
+    Timers &timers;
+    MomentumMatrix<dim> momentum;
+    Ilu ilu;
+    SchurPreconditioner<dim> schur;
+    mutable FlowVector work;
+    std::vector<FlowVector> basis, directions;
+    double weight = 1.;
+    bool momentum_is_valid = false, schur_is_valid = false;
+    double inertia_of_factors = 0.; ///< alpha_0 that the factors were made with
+    unsigned int age = 0;           ///< solutions since the last factorisation
+    unsigned int iterations_when_new = 0, last_iterations = 0;
+  };
+} // namespace semilunar::flow
+
+#endif

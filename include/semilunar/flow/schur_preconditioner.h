@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_schur_preconditioner_h
+#define semilunar_flow_schur_preconditioner_h
+
+#include <semilunar/flow/equations.h>
+
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace semilunar::flow
+{
+  /// Approximate inverse of the Schur complement of the pressure, equation (15):
+  /// (B D^-1 B^T)^-1 + (mu + gamma) M^-1, D the diagonal of the momentum matrix, M that of the
+  /// pressure mass matrix. One V-cycle of algebraic multigrid and a diagonal scaling.
+  template <int dim>
+  class SchurPreconditioner
+  {
+  public:
+    /// @param diagonal of the momentum matrix, owned nodes
+    void build(const Equations<dim> &equations, const std::vector<double> &diagonal);
+
+    void vmult(Vector &result, const Vector &residual) const;
+
+    bool empty() const { return gradient.m() == 0; }
+
+  private:
+    void assemble_gradient(const Equations<dim> &equations);
+    void assemble_mass(const Equations<dim> &equations);
+
+    dealii::TrilinosWrappers::SparseMatrix gradient; ///< B^T, rows of given velocities are zero
+    dealii::TrilinosWrappers::SparseMatrix schur;
+    dealii::TrilinosWrappers::PreconditionAMG multigrid;
+    Vector inverse_mass; ///< (mu + gamma) / diagonal of M
+  };
+} // namespace semilunar::flow
+
+#endif

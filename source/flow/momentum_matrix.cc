@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/flow/momentum_matrix.h>
+#include <semilunar/flow/tensor_kernel.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+
+namespace semilunar::flow
+{
+  template <int dim>
+  MomentumMatrix<dim>::MomentumMatrix(const Spaces<dim> &spaces)
+      : spaces(spaces), n_cell_nodes(power(spaces.degree() + 1, dim))
+  {
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::reinit()
+  {
+    n_owned = spaces.nodes()->locally_owned_size();
+    irregular.assign(spaces.n_batches() * n_lanes, false);
+    dealii::DynamicSparsityPattern pattern(n_owned, n_owned);
+    std::vector<HangingNodes::Master> masters;
+    std::vector<dealii::types::global_dof_index> nodes;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      pattern.add(i, i);
+    for (unsigned int batch = 0; batch < spaces.n_batches(); ++batch)
+      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+      {
+        nodes.clear();
+        for (unsigned int i = 0; i < n_cell_nodes; ++i)
+        {
+          const unsigned int node = spaces.velocity_nodes(batch)[i][lane];
+          if (spaces.velocity_hanging().hangs(node))
+            irregular[batch * n_lanes + lane] = true;
+          spaces.velocity_hanging().masters_of(node, masters);
+          for (const auto &master : masters)
+            if (master.node < n_owned)
+              nodes.push_back(master.node);
+        }
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        for (const auto row : nodes)
+          pattern.add_entries(row, nodes.begin(), nodes.end(), true);
+      }
+    matrix.row_start.assign(1, 0);
+    matrix.column.clear();
+    for (unsigned int i = 0; i < n_owned; ++i)
+    {
+      for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
+        matrix.column.push_back(entry->column());
+      matrix.row_start.push_back(matrix.column.size());
+    }
+    matrix.value.resize(matrix.column.size());
+    find_places();
+  }
+
+  template <int dim>
+  float *MomentumMatrix<dim>::find(const unsigned int row, const unsigned int column)
+  {
+    const auto begin = matrix.column.begin() + matrix.row_start[row];
+    const auto end = matrix.column.begin() + matrix.row_start[row + 1];
+    return matrix.value.data() + (std::lower_bound(begin, end, column) - matrix.column.begin());
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::find_places()
+  {
+    const std::size_t n2 = n_cell_nodes * n_cell_nodes;
+    place.assign(spaces.n_batches() * n_lanes * n2, absent);
+    for (unsigned int batch = 0; batch < spaces.n_batches(); ++batch)
+      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+        if (!irregular[batch * n_lanes + lane])
+        {
+          const auto *nodes = spaces.velocity_nodes(batch);
+          unsigned short *places = place.data() + (batch * n_lanes + lane) * n2;
+          for (unsigned int i = 0; i < n_cell_nodes; ++i)
+            for (unsigned int j = 0; j < n_cell_nodes; ++j)
+              if (nodes[i][lane] < n_owned && nodes[j][lane] < n_owned)
+                places[i * n_cell_nodes + j] = find(nodes[i][lane], nodes[j][lane]) -
+                                               matrix.value.data() -
+                                               matrix.row_start[nodes[i][lane]];
+        }
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::add_entry(const CellLane &cell, const unsigned int i,
+                                      const unsigned int j, const double entry)
+  {
+    std::vector<HangingNodes::Master> rows, columns;
+    const auto *nodes = spaces.velocity_nodes(cell.batch);
+    spaces.velocity_hanging().masters_of(nodes[i][cell.lane], rows);
+    spaces.velocity_hanging().masters_of(nodes[j][cell.lane], columns);
+    for (const auto &row : rows)
+      for (const auto &column : columns)
+        if (row.node < n_owned && column.node < n_owned)
+          *find(row.node, column.node) += row.weight * column.weight * entry;
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::add_batch(const unsigned int batch, const Lanes *cell_matrix)
+  {
+    const std::size_t n2 = n_cell_nodes * n_cell_nodes;
+    const auto *nodes = spaces.velocity_nodes(batch);
+    for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+    {
+      if (irregular[batch * n_lanes + lane])
+      {
+        for (unsigned int i = 0; i < n_cell_nodes; ++i)
+          for (unsigned int j = 0; j < n_cell_nodes; ++j)
+            add_entry({batch, lane}, i, j, cell_matrix[i * n_cell_nodes + j][lane]);
+        continue;
+      }
+      const unsigned short *places = place.data() + (batch * n_lanes + lane) * n2;
+      for (unsigned int i = 0; i < n_cell_nodes; ++i)
+        if (nodes[i][lane] < n_owned)
+        {
+          float *row = matrix.value.data() + matrix.row_start[nodes[i][lane]];
+          for (unsigned int j = 0; j < n_cell_nodes; ++j)
+            if (const unsigned short at = places[i * n_cell_nodes + j]; at != absent)
+              row[at] += cell_matrix[i * n_cell_nodes + j][lane];
+        }
+    }
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::assemble(const Equations<dim> &equations)
+  {
+    std::fill(matrix.value.begin(), matrix.value.end(), 0.f);
+    dealii::AlignedVector<Lanes> cell_matrix(n_cell_nodes * n_cell_nodes);
+    for (unsigned int batch = 0; batch < spaces.n_batches(); ++batch)
+    {
+      equations.cells().momentum_matrix(batch, cell_matrix.data());
+      add_batch(batch, cell_matrix.data());
+    }
+    const auto add = [this](const CellLane &cell, const unsigned int i, const unsigned int j,
+                            const double entry) { add_entry(cell, i, j, entry); };
+    for (const auto &[id, condition] : equations.conditions().all())
+      if (condition.pressure && equations.faces().parts().count(id) > 0)
+        equations.faces().backflow_matrix(id, add);
+    equations.points().matrix(add);
+    eliminate(equations.constraints());
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::eliminate(const VelocityConstraints<dim> &constraints)
+  {
+    const auto is_identity = [&](const unsigned int node)
+    { return constraints.fixed(node) || spaces.velocity_hanging().hangs(node); };
+    for (unsigned int i = 0; i < n_owned; ++i)
+    {
+      const bool identity = is_identity(i);
+      for (unsigned int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+        if (matrix.column[k] == i && identity)
+          matrix.value[k] = 1.f;
+        else if (identity || is_identity(matrix.column[k]))
+          matrix.value[k] = 0.f;
+    }
+  }
+
+  template <int dim>
+  std::vector<double> MomentumMatrix<dim>::diagonal() const
+  {
+    std::vector<double> entries(n_owned);
+    for (unsigned int i = 0; i < n_owned; ++i)
+      for (unsigned int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+        if (matrix.column[k] == i)
+          entries[i] = matrix.value[k];
+    return entries;
+  }
+
+  template class MomentumMatrix<2>;
+  template class MomentumMatrix<3>;
+} // namespace semilunar::flow

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/flow/saddle_point_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace semilunar::flow
+{
+  namespace
+  {
+    /// Directions that are kept before GMRES starts again.
+    constexpr unsigned int max_basis = 40;
+
+    /// r += factor v
+    void add(FlowVector &r, const double factor, const FlowVector &v)
+    {
+      r.velocity.add(factor, v.velocity);
+      r.pressure.add(factor, v.pressure);
+    }
+
+    void scale(FlowVector &v, const double factor)
+    {
+      v.velocity *= factor;
+      v.pressure *= factor;
+    }
+
+    double product(const double *a, const double *b, const std::size_t n)
+    {
+      double sum[4] = {};
+      std::size_t i = 0;
+      for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; ++k)
+          sum[k] += a[i + k] * b[i + k];
+      for (; i < n; ++i)
+        sum[0] += a[i] * b[i];
+      return sum[0] + sum[1] + sum[2] + sum[3];
+    }
+  } // namespace
+
+  template <int dim>
+  SaddlePointSolver<dim>::SaddlePointSolver(const Equations<dim> &equations,
+                                            const Parameters &parameters, Timers &timers)
+      : equations(equations), prm(parameters), timers(timers), momentum(equations.spaces())
+  {
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::reinit()
+  {
+    momentum.reinit();
+    work.reinit(equations.spaces());
+    basis.clear();
+    directions.clear();
+    momentum_is_valid = schur_is_valid = false;
+  }
+
+  template <int dim>
+  std::vector<double> SaddlePointSolver<dim>::products(const FlowVector &v,
+                                                       const unsigned int n) const
+  {
+    // In pieces that stay in the cache while all products are formed.
+    constexpr std::size_t piece = 2048;
+    std::vector<double> sums(n + 1, 0.);
+    const auto add_products = [&](const Vector FlowVector::*part, const double factor)
+    {
+      const std::size_t size = (v.*part).locally_owned_size();
+      for (std::size_t begin = 0; begin < size; begin += piece)
+        for (unsigned int i = 0; i <= n; ++i)
+          sums[i] += factor * product((v.*part).begin() + begin,
+                                      ((i < n ? basis[i] : v).*part).begin() + begin,
+                                      std::min(piece, size - begin));
+    };
+    add_products(&FlowVector::velocity, 1.);
+    add_products(&FlowVector::pressure, weight * weight);
+    dealii::Utilities::MPI::sum(sums, equations.spaces().communicator(), sums);
+    return sums;
+  }
+
+  template <int dim>
+  double SaddlePointSolver<dim>::norm(const FlowVector &residual) const
+  {
+    return std::sqrt(products(residual, 0)[0]);
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::prepare()
+  {
+    // Refactorise when the equations have changed enough to cost a few iterations.
+    constexpr unsigned int max_age = 10, max_more = 2;
+    constexpr double max_change = 0.2;
+    const double inertia = equations.inertia();
+    const bool stale = age >= max_age || last_iterations > iterations_when_new + max_more ||
+                       std::abs(inertia - inertia_of_factors) > max_change * inertia;
+    if (momentum_is_valid && !stale)
+      return;
+    {
+      Timers::Scope scope(timers, "flow: momentum matrix");
+      momentum.assemble(equations);
+    }
+    {
+      Timers::Scope scope(timers, "flow: factorisation");
+      ilu.factorise(momentum.rows());
+    }
+    momentum_is_valid = true;
+    inertia_of_factors = inertia;
+    age = 0;
+    Timers::Scope scope(timers, "flow: Schur complement");
+    if (!schur_is_valid)
+      schur.build(equations, momentum.diagonal());
+    schur_is_valid = true;
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::remove_mean(Vector &pressure) const
+  {
+    const auto &hanging = equations.spaces().pressure_hanging();
+    double sum[2] = {};
+    for (unsigned int i = 0; i < pressure.locally_owned_size(); ++i)
+      if (!hanging.hangs(i))
+      {
+        sum[0] += pressure.local_element(i);
+        sum[1] += 1.;
+      }
+    dealii::Utilities::MPI::sum(sum, equations.spaces().communicator(), sum);
+    for (unsigned int i = 0; i < pressure.locally_owned_size(); ++i)
+      if (!hanging.hangs(i))
+        pressure.local_element(i) -= sum[0] / sum[1];
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::precondition(FlowVector &z, const FlowVector &r) const
+  {
+    schur.vmult(z.pressure, r.pressure);
+    z.pressure *= -1.;
+    if (equations.conditions().closed())
+      remove_mean(z.pressure);
+    equations.gradient(work.velocity, z.pressure);
+    work.velocity.sadd(-1., 1., r.velocity);
+    ilu.solve<dim>(work.velocity.begin(), z.velocity.begin());
+    equations.constraints().mask(z.velocity);
+  }
+
+  template <int dim>
+  unsigned int SaddlePointSolver<dim>::solve(FlowVector &x, const FlowVector &b,
+                                             const double target)
+  {
+    prepare();
+    Timers::Scope scope(timers, "flow: Krylov iterations");
+    x.velocity = 0.;
+    x.pressure = 0.;
+    FlowVector r = b;
+    if (equations.conditions().closed())
+      remove_mean(r.pressure);
+    unsigned int n = 0;
+    double size = norm(r);
+    while (size > target)
+    {
+      if (n > 0) // GMRES starts again
+      {
+        equations.vmult(r, x);
+        r.velocity.sadd(-1., 1., b.velocity);
+        r.pressure.sadd(-1., 1., b.pressure);
+        size = norm(r);
+      }
+      if (n >= prm.max_linear || !std::isfinite(size))
+        throw NumericsError(
+            "the linear solver for velocity and pressure did not converge: residual " +
+                std::to_string(size / target) + " times the target after " + std::to_string(n) +
+                " iterations",
+            "", "");
+      n += iterate(x, r, target, prm.max_linear - n, size);
+    }
+    if (age == 0)
+      iterations_when_new = n;
+    last_iterations = n;
+    ++age;
+    return n;
+  }
+
+  template <int dim>
+  unsigned int SaddlePointSolver<dim>::iterate(FlowVector &x, const FlowVector &r,
+                                               const double target,
+                                               const unsigned int max_iterations, double &size)
+  {
+    const unsigned int m = std::min(max_basis, max_iterations);
+    if (basis.empty())
+      basis.push_back(work);
+    std::vector<std::vector<double>> triangle;        // columns of R
+    std::vector<double> cosine, sine, right(1, size); // Givens rotations, Q^T b
+    basis[0] = r;
+    scale(basis[0], 1. / size);
+    unsigned int j = 0;
+    while (j < m && std::abs(right[j]) > target)
+    {
+      if (directions.size() <= j)
+        directions.push_back(work);
+      if (basis.size() <= j + 1)
+        basis.push_back(work);
+      precondition(directions[j], basis[j]);
+      FlowVector &v = basis[j + 1];
+      equations.vmult(v, directions[j]);
+
+      // Classical Gram-Schmidt: one reduction for all products, twice where digits were lost.
+      std::vector<double> column(j + 2, 0.);
+      double before, after;
+      do
+      {
+        const std::vector<double> h = products(v, j + 1);
+        before = h[j + 1];
+        after = before;
+        for (unsigned int i = 0; i <= j; ++i)
+        {
+          add(v, -h[i], basis[i]);
+          column[i] += h[i];
+          after -= h[i] * h[i];
+        }
+      } while (after < 1e-2 * before && after > 1e-28 * before);
+      column[j + 1] = norm(v);
+      scale(v, 1. / column[j + 1]);
+
+      for (unsigned int i = 0; i < j; ++i)
+      {
+        const double rotated = cosine[i] * column[i] + sine[i] * column[i + 1];
+        column[i + 1] = -sine[i] * column[i] + cosine[i] * column[i + 1];
+        column[i] = rotated;
+      }
+      const double length = std::hypot(column[j], column[j + 1]);
+      cosine.push_back(column[j] / length);
+      sine.push_back(column[j + 1] / length);
+      column[j] = length;
+      right.push_back(-sine[j] * right[j]);
+      right[j] *= cosine[j];
+      triangle.push_back(column);
+      ++j;
+    }
+
+    size = std::abs(right[j]);
+    for (unsigned int i = j; i-- > 0;)
+    {
+      for (unsigned int k = i + 1; k < j; ++k)
+        right[i] -= triangle[k][i] * right[k];
+      right[i] /= triangle[i][i];
+      add(x, right[i], directions[i]);
+    }
+    return j;
+  }
+
+  template class SaddlePointSolver<2>;
+  template class SaddlePointSolver<3>;
+} // namespace semilunar::flow

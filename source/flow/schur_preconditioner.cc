@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/flow/schur_preconditioner.h>
+#include <semilunar/flow/tensor_kernel.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+namespace semilunar::flow
+{
+  namespace
+  {
+    using dealii::TrilinosWrappers::SparsityPattern;
+    using Masters = std::vector<HangingNodes::Master>;
+
+    /// Calls visit(batch, lane, i, pressure masters, j, velocity masters) for all pairs of nodes of
+    /// owned cells.
+    template <int dim, class Visit>
+    void for_all_pairs(const Spaces<dim> &spaces, const Visit &visit)
+    {
+      const int n_u = power(spaces.degree() + 1, dim), n_p = power(spaces.degree(), dim);
+      std::vector<Masters> velocity(n_u), pressure(n_p);
+      for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
+        for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+        {
+          for (int j = 0; j < n_u; ++j)
+            spaces.velocity_hanging().masters_of(spaces.velocity_nodes(batch)[j][lane],
+                                                 velocity[j]);
+          for (int i = 0; i < n_p; ++i)
+            spaces.pressure_hanging().masters_of(spaces.pressure_nodes(batch)[i][lane],
+                                                 pressure[i]);
+          for (int i = 0; i < n_p; ++i)
+            for (int j = 0; j < n_u; ++j)
+              visit(batch, lane, i, pressure[i], j, velocity[j]);
+        }
+    }
+
+    template <int dim>
+    SparsityPattern gradient_pattern(const Spaces<dim> &spaces)
+    {
+      SparsityPattern pattern(spaces.velocities()->locally_owned_range(),
+                              spaces.pressures()->locally_owned_range(), spaces.communicator());
+      for_all_pairs(spaces,
+                    [&](unsigned int, unsigned int, int, const Masters &pressures, int,
+                        const Masters &velocities)
+                    {
+                      for (const auto &p : pressures)
+                        for (const auto &u : velocities)
+                          for (unsigned int c = 0; c < dim; ++c)
+                            pattern.add(dim * spaces.nodes()->local_to_global(u.node) + c,
+                                        spaces.pressures()->local_to_global(p.node));
+                    });
+      pattern.compress();
+      return pattern;
+    }
+
+    /// Without its constrained directions.
+    template <int dim>
+    dealii::Tensor<1, dim> projected(dealii::Tensor<1, dim> vector,
+                                     const typename VelocityConstraints<dim>::Entry *constraint)
+    {
+      if (constraint)
+        for (unsigned int d = 0; d < constraint->n; ++d)
+          vector -= (vector * constraint->directions[d]) * constraint->directions[d];
+      return vector;
+    }
+  } // namespace
+
+  template <int dim>
+  void SchurPreconditioner<dim>::assemble_gradient(const Equations<dim> &equations)
+  {
+    const Spaces<dim> &spaces = equations.spaces();
+    gradient.reinit(gradient_pattern(spaces));
+    const int n_u = power(spaces.degree() + 1, dim), n_p = power(spaces.degree(), dim);
+    dealii::AlignedVector<Lanes> cell_matrix(n_u * n_p * dim);
+    unsigned int current = dealii::numbers::invalid_unsigned_int;
+    for_all_pairs(spaces,
+                  [&](const unsigned int batch, const unsigned int lane, const int i,
+                      const Masters &pressures, const int j, const Masters &velocities)
+                  {
+                    if (batch != current)
+                      equations.cells().divergence_matrix(batch, cell_matrix.data());
+                    current = batch;
+                    dealii::Tensor<1, dim> entry;
+                    for (unsigned int c = 0; c < dim; ++c)
+                      entry[c] = cell_matrix[(i * n_u + j) * dim + c][lane];
+                    for (const auto &u : velocities)
+                    {
+                      const auto free =
+                          projected<dim>(entry, equations.constraints().of_node(u.node));
+                      for (const auto &p : pressures)
+                        for (unsigned int c = 0; c < dim; ++c)
+                          gradient.add(dim * spaces.nodes()->local_to_global(u.node) + c,
+                                       spaces.pressures()->local_to_global(p.node),
+                                       u.weight * p.weight * free[c]);
+                    }
+                  });
+    gradient.compress(dealii::VectorOperation::add);
+  }
+
+  template <int dim>
+  void SchurPreconditioner<dim>::assemble_mass(const Equations<dim> &equations)
+  {
+    const Spaces<dim> &spaces = equations.spaces();
+    const int n_p = power(spaces.degree(), dim);
+    dealii::AlignedVector<Lanes> cell_matrix(n_p * n_p);
+    inverse_mass.reinit(spaces.pressures());
+    for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
+    {
+      equations.cells().pressure_mass_matrix(batch, cell_matrix.data());
+      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+        for (int i = 0; i < n_p; ++i)
+          inverse_mass.local_element(spaces.pressure_nodes(batch)[i][lane]) +=
+              cell_matrix[i * n_p + i][lane];
+    }
+    spaces.pressure_hanging().template fold<1>(inverse_mass.begin());
+    inverse_mass.compress(dealii::VectorOperation::add);
+    for (unsigned int i = 0; i < inverse_mass.locally_owned_size(); ++i)
+      if (double &entry = inverse_mass.local_element(i); entry > 0.)
+        entry = 1. / entry;
+  }
+
+  template <int dim>
+  void SchurPreconditioner<dim>::build(const Equations<dim> &equations,
+                                       const std::vector<double> &diagonal)
+  {
+    const Spaces<dim> &spaces = equations.spaces();
+    assemble_gradient(equations);
+    assemble_mass(equations);
+    dealii::TrilinosWrappers::MPI::Vector inverse_diagonal(
+        spaces.velocities()->locally_owned_range(), spaces.communicator());
+    const auto first = spaces.velocities()->local_range().first;
+    for (unsigned int i = 0; i < diagonal.size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        inverse_diagonal[first + dim * i + c] = 1. / diagonal[i];
+    inverse_diagonal.compress(dealii::VectorOperation::insert);
+    gradient.Tmmult(schur, gradient, inverse_diagonal);
+
+    // Rows of hanging nodes are empty; a closed domain leaves the mean pressure free.
+    const double regularisation = equations.conditions().closed() ? 1e-6 : 0.;
+    const auto range = schur.local_range();
+    for (auto i = range.first; i < range.second; ++i)
+    {
+      const double entry = schur.el(i, i);
+      if (entry == 0. || regularisation > 0.)
+        schur.set(i, i, entry == 0. ? 1. : (1. + regularisation) * entry);
+    }
+    schur.compress(dealii::VectorOperation::insert);
+
+    dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
+    options.elliptic = true;
+    options.smoother_sweeps = 2;
+    options.aggregation_threshold = 0.02;
+    multigrid.initialize(schur, options);
+  }
+
+  template <int dim>
+  void SchurPreconditioner<dim>::vmult(Vector &result, const Vector &residual) const
+  {
+    multigrid.vmult(result, residual);
+    for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
+      result.local_element(i) += inverse_mass.local_element(i) * residual.local_element(i);
+  }
+
+  template class SchurPreconditioner<2>;
+  template class SchurPreconditioner<3>;
+} // namespace semilunar::flow
