@@ -26,8 +26,9 @@ namespace semilunar::scene
                                            : nullptr),
         dead_forces(shell::dead_forces(surface, points, parameters.loads,
                                        parameters.section.density * parameters.section.thickness)),
+        edge_moments(surface, parameters.loads),
         equilibrium(surface, points, equations, assembly, parameters.loads.follower_pressure(),
-                    dead_forces, contact.get(), timers)
+                    dead_forces, contact.get(), timers, &edge_moments)
   {
   }
 

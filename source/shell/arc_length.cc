@@ -12,6 +12,8 @@ namespace semilunar::shell
   {
     /// Steps are scaled towards this number of corrections.
     constexpr unsigned int wanted_corrections = 5;
+    /// An arc that needs more than these is too long.
+    constexpr unsigned int most_corrections = 15;
     constexpr double smallest_scale = 0.5, largest_scale = 1.5;
     /// The arc may shrink to this part of the first one.
     constexpr double smallest_arc = 1e-6;
@@ -35,8 +37,7 @@ namespace semilunar::shell
       {
         system.load_derivative(u, load, tangent);
         system.linearize(u, load, 0.);
-        tangent *= -1.;
-        system.solve(tangent);
+        solve_tangent();
       }
 
       const Vector &path_tangent() const { return tangent; }
@@ -58,6 +59,12 @@ namespace semilunar::shell
       }
 
     private:
+      void solve_tangent()
+      {
+        tangent *= -1.;
+        system.solve(tangent);
+      }
+
       NonlinearSystem &system;
       const StaticSolverParameters &parameters;
       Vector r, tangent, correction;
@@ -71,9 +78,10 @@ namespace semilunar::shell
       {
         make_tangent(u, load);
         const double forward = last_change.all_zero() || tangent * last_change > 0. ? 1. : -1.;
+        const unsigned int max_corrections = std::min(most_corrections, parameters.max_iterations);
         double new_load = load + forward * arc / tangent.l2_norm();
         change.equ(forward * arc / tangent.l2_norm(), tangent);
-        for (corrections = 0; corrections < parameters.max_iterations; ++corrections)
+        for (corrections = 0; corrections < max_corrections; ++corrections)
         {
           Vector state = u;
           state += change;
@@ -84,7 +92,9 @@ namespace semilunar::shell
           if (residual <= parameters.tolerance)
             return new_load;
           ++iterations;
-          make_tangent(state, new_load);
+          system.load_derivative(state, new_load, tangent);
+          system.linearize_predicted(state, new_load);
+          solve_tangent();
           correction = r;
           correction *= -1.;
           system.solve(correction);
@@ -164,10 +174,12 @@ namespace semilunar::shell
       last_change.swap(change);
       system.accept(u, load);
       hooks.accepted({number, load, corrections, residual, "arc length"}, u);
-      if (at_end || hooks.interrupted())
+      if (at_end || number == parameters.stop_after_steps || hooks.finished() ||
+          hooks.interrupted())
         return path.iterations;
       const double scale = std::sqrt(double(wanted_corrections) / std::max(corrections, 1u));
       arc *= std::min(std::max(scale, smallest_scale), largest_scale);
+      arc = std::min(arc, parameters.largest_arc * first_arc);
     }
     throw give_up("the load did not reach its end within the allowed number of arc length steps");
   }

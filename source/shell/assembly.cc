@@ -5,6 +5,7 @@
 #include <semilunar/shell/midsurface_step.h>
 #include <semilunar/shell/tangent_frame.h>
 
+#include <deal.II/base/parallel.h>
 #include <deal.II/base/work_stream.h>
 
 #include <cmath>
@@ -32,6 +33,8 @@ namespace semilunar::shell
 
   namespace
   {
+    constexpr unsigned int elements_per_task = 8;
+
     /// Gather the control points of an element as rows x, y, z, padded with zeros.
     void gather(const BezierElement &element, const ControlVectors &x, const unsigned int stride,
                 std::vector<double> &rows)
@@ -99,7 +102,8 @@ namespace semilunar::shell
   }
 
   void Assembly::element_response(const unsigned int element, const ControlVectors &x,
-                                  const double pressure, const bool with_tangent, Scratch &scratch,
+                                  const double pressure, const bool with_tangent,
+                                  const std::vector<Resultants> *const predicted, Scratch &scratch,
                                   ElementResult &result) const
   {
     const BezierElement &bezier = surface.elements[element];
@@ -111,8 +115,9 @@ namespace semilunar::shell
     for (unsigned int q = points.first_point(element); q < points.first_point(element + 1); ++q)
     {
       const SurfaceJet deformed = jet(scratch.positions.data(), q);
-      const double energy = strain_response(section, deformed, undeformed_b[q], fibre_directions[q],
-                                            with_tangent, scratch.response);
+      const double energy =
+          strain_response(section, deformed, undeformed_b[q], fibre_directions[q], with_tangent,
+                          scratch.response, predicted == nullptr ? nullptr : &(*predicted)[q]);
       if (pressure != 0.)
         add_pressure(deformed, pressure, with_tangent, scratch.response);
       result.energy += points.weight(q) * energy;
@@ -124,7 +129,8 @@ namespace semilunar::shell
   }
 
   double Assembly::add(const ControlVectors &x, const double pressure, ControlVectors &forces,
-                       const AddBlock &add_block) const
+                       const AddBlock &add_block,
+                       const std::vector<Resultants> *const predicted) const
   {
     double energy = 0.;
     const bool with_tangent = static_cast<bool>(add_block);
@@ -134,7 +140,7 @@ namespace semilunar::shell
         elements.begin(), elements.end(),
         [&](const std::vector<unsigned int>::iterator &element, Scratch &scratch,
             ElementResult &result)
-        { element_response(*element, x, pressure, with_tangent, scratch, result); },
+        { element_response(*element, x, pressure, with_tangent, predicted, scratch, result); },
         [&](const ElementResult &result)
         {
           const auto &control_points = surface.elements[result.element].control_points;
@@ -186,6 +192,28 @@ namespace semilunar::shell
       scratch.matrix.add(scratch.response, points.basis(q, value), points.weight(q));
     }
     result.forces.assign(scratch.matrix.force(), scratch.matrix.force() + 3 * bezier.n_functions());
+  }
+
+  std::vector<Resultants> Assembly::predict(const ControlVectors &x, const ControlVectors &dx) const
+  {
+    std::vector<Resultants> resultants(points.n_points());
+    dealii::parallel::apply_to_subranges(
+        0u, static_cast<unsigned int>(surface.elements.size()),
+        [&](const unsigned int begin, const unsigned int end)
+        {
+          std::vector<double> rows, changes;
+          for (unsigned int e = begin; e < end; ++e)
+          {
+            gather(surface.elements[e], x, points.stride(e), rows);
+            gather(surface.elements[e], dx, points.stride(e), changes);
+            for (unsigned int q = points.first_point(e); q < points.first_point(e + 1); ++q)
+              resultants[q] =
+                  predict_resultants(section, jet(rows.data(), q), jet(changes.data(), q),
+                                     undeformed_b[q], fibre_directions[q]);
+          }
+        },
+        elements_per_task);
+    return resultants;
   }
 
   SectionStrain Assembly::section_strain(const ControlVectors &x, const unsigned int q) const

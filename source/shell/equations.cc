@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/shell/equations.h>
+
+#include <deal.II/base/utilities.h>
 
 #include <numeric>
 
@@ -21,10 +24,27 @@ namespace semilunar::shell
     return root;
   }
 
+  namespace
+  {
+    /// @param component number of a component, 3 times the control point's plus its own
+    void require_same(const unsigned int component, const double first, const double second)
+    {
+      if (first != second)
+        throw InputError("Supports/Supports", "",
+                         "control point " + std::to_string(component / 3 + 1) +
+                             " is given two different displacements in " + "xyz"[component % 3] +
+                             ": " + dealii::Utilities::to_string(first) + " and " +
+                             dealii::Utilities::to_string(second),
+                         "prescribe each component once, that of tied control points too");
+    }
+  } // namespace
+
   void Equations::prescribe(const unsigned int control_point, const unsigned int component,
                             const double value)
   {
     const unsigned int root = representative(control_point, component);
+    if (held[root])
+      require_same(3 * control_point + component, values[root], value);
     held[root] = true;
     values[root] = value;
   }
@@ -36,6 +56,8 @@ namespace semilunar::shell
     const unsigned int b = representative(other, component);
     if (a == b)
       return;
+    if (held[a] && held[b])
+      require_same(3 * control_point + component, values[a], values[b]);
     // a prescribed value survives the tie
     const unsigned int root = held[b] ? b : a, child = held[b] ? a : b;
     parents[child] = root;

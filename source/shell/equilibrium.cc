@@ -16,11 +16,14 @@ namespace semilunar::shell
       return std::sqrt(sum);
     }
 
-    /// Norm of the forces of pressure and dead loads on the control points of the undeformed shell.
+    /// Norm of the external forces on the control points of the undeformed shell.
     double external_norm(const spline::Surface &surface, const QuadraturePoints &points,
-                         const double pressure, const ControlVectors &dead_forces)
+                         const double pressure, const ControlVectors &dead_forces,
+                         const EdgeMoments *const edge_moments)
     {
       ControlVectors forces = dead_forces;
+      if (edge_moments != nullptr)
+        edge_moments->add(spline::positions(surface), -1., forces, {});
       for (unsigned int q = 0; q < points.n_points(); ++q)
       {
         const auto &element = surface.elements[points.element(q)];
@@ -54,12 +57,14 @@ namespace semilunar::shell
   Equilibrium::Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
                            const Equations &equations, const Assembly &assembly,
                            const double pressure, const ControlVectors &dead_forces,
-                           Contact *const contact, Timers &timers)
+                           Contact *const contact, Timers &timers,
+                           const EdgeMoments *const edge_moments)
       : equations(equations), assembly(assembly), pressure(pressure), dead_forces(dead_forces),
-        contact(contact), surface(surface), undeformed(spline::positions(surface)),
-        matrix(surface, equations), area(lump_area(surface, points, equations)),
-        load_norm(external_norm(surface, points, pressure, dead_forces)), points(points),
-        timers(timers)
+        contact(contact), edge_moments(edge_moments), surface(surface),
+        undeformed(spline::positions(surface)), matrix(surface, equations),
+        area(lump_area(surface, points, equations)),
+        load_norm(external_norm(surface, points, pressure, dead_forces, edge_moments)),
+        points(points), timers(timers)
   {
   }
 
@@ -81,6 +86,8 @@ namespace semilunar::shell
       energy = assembly.add(x, load * pressure, forces, {});
       for (unsigned int c = 0; c < x.size(); ++c)
         forces[c] -= load * dead_forces[c];
+      if (edge_moments != nullptr)
+        edge_moments->add(x, load, forces, {});
       return forces;
     }
     const ControlVectors external = external_forces(x, load);
@@ -118,18 +125,40 @@ namespace semilunar::shell
 
   void Equilibrium::linearize(const Vector &u, const double load, const double shift)
   {
-    linearize(u, load,
-              [&](SparseSystem &tangent)
-              {
-                if (shift > 0.)
-                  tangent.add_diagonal(area, shift);
-              });
+    const auto add_shift = [&](SparseSystem &tangent)
+    {
+      if (shift > 0.)
+        tangent.add_diagonal(area, shift);
+    };
+    linearize(u, load, add_shift, nullptr);
   }
 
   void Equilibrium::linearize(const Vector &u, const double load,
                               const std::function<void(SparseSystem &)> &add)
   {
+    linearize(u, load, add, nullptr);
+  }
+
+  void Equilibrium::linearize_predicted(const Vector &u, const double load)
+  {
+    std::vector<Resultants> predicted;
+    {
+      const Timers::Scope timer(timers, "assembly");
+      ControlVectors change = positions(u, load);
+      for (unsigned int c = 0; c < change.size(); ++c)
+        change[c] -= linearized_at[c];
+      predicted = assembly.predict(linearized_at, change);
+    }
+    linearize(
+        u, load, [](SparseSystem &) {}, &predicted);
+  }
+
+  void Equilibrium::linearize(const Vector &u, const double load,
+                              const std::function<void(SparseSystem &)> &add,
+                              const std::vector<Resultants> *const predicted)
+  {
     const ControlVectors x = positions(u, load);
+    linearized_at = x;
     if (contact != nullptr)
     {
       const Timers::Scope timer(timers, "contact");
@@ -140,9 +169,11 @@ namespace semilunar::shell
     {
       const Timers::Scope timer(timers, "assembly");
       ControlVectors forces(x.size());
-      assembly.add(x, load * pressure, forces,
-                   [&](const std::vector<unsigned int> &control_points, const double *block)
-                   { matrix.add(control_points, block); });
+      const auto add_block = [&](const std::vector<unsigned int> &control_points,
+                                 const double *block) { matrix.add(control_points, block); };
+      assembly.add(x, load * pressure, forces, add_block, predicted);
+      if (edge_moments != nullptr)
+        edge_moments->add(x, load, forces, add_block);
     }
     if (contact != nullptr)
     {
@@ -176,6 +207,8 @@ namespace semilunar::shell
     ControlVectors forces(x.size());
     for (unsigned int c = 0; c < x.size(); ++c)
       forces[c] = load * dead_forces[c];
+    if (edge_moments != nullptr)
+      edge_moments->add(x, -load, forces, {});
     if (pressure == 0.)
       return forces;
     for (unsigned int q = 0; q < points.n_points(); ++q)

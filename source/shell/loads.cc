@@ -96,6 +96,11 @@ namespace semilunar::shell
         "Edge loads", edge_loads,
         "Dead forces along edges, 'PLACE: (fx, fy, fz)', separated by semicolons; a PLACE "
         "is a node set or a coordinate plane that holds an edge [force/length].");
+    prm.add_parameter(
+        "Edge moments", edge_moments,
+        "Moments along edges, 'PLACE: M', separated by semicolons: per undeformed length, about "
+        "the edge, turning what lies at it towards the surface normal; they follow the rotation "
+        "of the shell, on whose angle they do work [force].");
     prm.leave_subsection();
   }
 

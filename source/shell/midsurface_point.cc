@@ -155,7 +155,7 @@ namespace semilunar::shell
 
   double strain_response(const Section &section, const SurfaceJet &jet, const Symmetric &b0,
                          const std::array<double, 2> &fibre, const bool with_tangent,
-                         PointResponse &response)
+                         PointResponse &response, const Resultants *const predicted)
   {
     const Geometry g = geometry(jet);
     SectionResponse s;
@@ -183,9 +183,39 @@ namespace semilunar::shell
         for (unsigned int e = 0; e < n_derivatives; ++e)
           for (unsigned int j = 0; j < 3; ++j)
             response.hessian[value][i][e][j] = response.hessian[e][j][value][i] = 0.;
+      if (predicted != nullptr)
+      {
+        s.n = predicted->n;
+        s.m = predicted->m;
+      }
       to_plain_derivatives(g, covariant_hessian(jet, g, s), response);
     }
     return s.energy;
+  }
+
+  Resultants predict_resultants(const Section &section, const SurfaceJet &jet,
+                                const SurfaceJet &change, const Symmetric &b0,
+                                const std::array<double, 2> &fibre)
+  {
+    const Geometry g = geometry(jet);
+    SectionResponse s;
+    section.evaluate({g.forms.a, g.forms.b, b0, fibre}, true, s);
+    const Tensor<1, 3> &a3 = g.forms.normal;
+    const double strain[3] = {jet[d1] * change[d1], jet[d2] * change[d2],
+                              jet[d1] * change[d2] + jet[d2] * change[d1]};
+    double curvature[3];
+    for (unsigned int I = 0; I < 3; ++I)
+      curvature[I] =
+          -multiplicity[I] * (a3 * change[d11 + I] - g.christoffel[0][I] * (a3 * change[d1]) -
+                              g.christoffel[1][I] * (a3 * change[d2]));
+    Resultants resultants{s.n, s.m};
+    for (unsigned int I = 0; I < 3; ++I)
+      for (unsigned int J = 0; J < 3; ++J)
+      {
+        resultants.n[I] += s.membrane[3 * I + J] * strain[J] + s.coupling[3 * I + J] * curvature[J];
+        resultants.m[I] += s.coupling[3 * J + I] * strain[J] + s.bending[3 * I + J] * curvature[J];
+      }
+    return resultants;
   }
 
   void add_pressure(const SurfaceJet &jet, const double pressure, const bool with_tangent,

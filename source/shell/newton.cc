@@ -70,55 +70,129 @@ namespace semilunar::shell
         largest = std::max(largest, std::abs(a[i] - b[i]));
       return largest;
     }
+
+    enum class Steps
+    {
+      whole,      // with the stress that the linearisation predicts
+      line_search // with the stress of the state
+    };
+    /// Whole steps are given up where they grow to this multiple of the first two.
+    constexpr double largest_growth = 10.;
+
+    /// Newton's method from a start to a solution, or to a reason why not.
+    class Newton
+    {
+    public:
+      Newton(NonlinearSystem &system, const double load, const Vector &start,
+             const IterationParameters &parameters, const Steps steps)
+          : system(system), load(load), start(start), parameters(parameters), steps(steps),
+            du(start.size())
+      {
+        current.evaluate(system, load, start, du, 0.);
+      }
+
+      IterationResult run()
+      {
+        for (; may_go_on(); ++result.iterations)
+        {
+          du = current.r;
+          du *= -1.;
+          system.solve(du);
+          if (du.linfty_norm() <= system.smallest_change())
+          {
+            result.converged = true; // rounding of the internal forces is all that is left
+            break;
+          }
+          if (steps == Steps::whole && diverges())
+            break;
+          move();
+        }
+        return result;
+      }
+
+      const Vector &solution() const { return current.u; }
+
+    private:
+      NonlinearSystem &system;
+      const double load;
+      const Vector &start;
+      const IterationParameters &parameters;
+      const Steps steps;
+      Trial current, next;
+      Vector du;
+      double first_steps = 0.; // the longer one of the first two
+      IterationResult result;
+
+      /// Whether there is a linearised system to solve; otherwise the result is final.
+      bool may_go_on()
+      {
+        result.residual = current.norm;
+        parameters.observe(result.residual);
+        if (!current.finite())
+          return fail("the residual is not finite");
+        if (distance(current.u, start) > system.largest_change() * (1. + rounding))
+          return fail("the solution lies further away than one step may go");
+        result.converged = current.norm <= parameters.tolerance;
+        if (result.converged)
+          return false;
+        if (result.iterations == parameters.max_iterations || parameters.interrupted())
+          return fail("no convergence in " + std::to_string(result.iterations) + " iterations");
+        try
+        {
+          if (steps == Steps::whole && result.iterations > 0)
+            system.linearize_predicted(current.u, load);
+          else
+            system.linearize(current.u, load, 0.);
+        }
+        catch (const NumericsError &error)
+        {
+          return fail(error.what());
+        }
+        return true;
+      }
+
+      bool fail(const std::string &why)
+      {
+        result.failure = why;
+        return false;
+      }
+
+      bool diverges()
+      {
+        const double length = du.l2_norm();
+        if (result.iterations < 2)
+          first_steps = std::max(first_steps, length);
+        return length > largest_growth * first_steps && !fail("the corrections grow");
+      }
+
+      void move()
+      {
+        const double fraction = fraction_within(system, du);
+        if (steps == Steps::whole)
+          next.evaluate(system, load, current.u, du, fraction);
+        else
+          search_line(system, load, current, du, fraction, next);
+        std::swap(current, next);
+      }
+    };
   } // namespace
 
   IterationResult solve_newton(NonlinearSystem &system, const double load, Vector &u,
                                const IterationParameters &parameters)
   {
     IterationResult result;
-    Trial current, next;
-    Vector du(u.size());
-    current.evaluate(system, load, u, du, 0.);
-    for (;; ++result.iterations)
+    for (const Steps steps : {Steps::whole, Steps::line_search})
     {
-      result.residual = current.norm;
-      parameters.observe(result.residual);
-      if (!current.finite())
+      Newton newton(system, load, u, parameters, steps);
+      const unsigned int before = result.iterations;
+      result = newton.run();
+      result.iterations += before;
+      if (result.converged)
       {
-        result.failure = "the residual is not finite";
-        return result;
-      }
-      if (distance(current.u, u) > system.largest_change() * (1. + rounding))
-      {
-        result.failure = "the solution lies further away than one step may go";
-        return result;
-      }
-      if (current.norm <= parameters.tolerance)
+        u = newton.solution();
         break;
-      if (result.iterations == parameters.max_iterations || parameters.interrupted())
-      {
-        result.failure = "no convergence in " + std::to_string(result.iterations) + " iterations";
-        return result;
       }
-      try
-      {
-        system.linearize(current.u, load, 0.);
-      }
-      catch (const NumericsError &error)
-      {
-        result.failure = error.what();
-        return result;
-      }
-      du = current.r;
-      du *= -1.;
-      system.solve(du);
-      if (du.linfty_norm() <= system.smallest_change())
-        break; // rounding of the internal forces is all that is left
-      search_line(system, load, current, du, fraction_within(system, du), next);
-      std::swap(current, next);
     }
-    u = current.u;
-    result.converged = true;
     return result;
   }
 } // namespace semilunar::shell

@@ -16,6 +16,16 @@ namespace semilunar::shell
     constexpr unsigned int quick = 8; // iterations
     constexpr double end_of_path = 1. - 1e-12;
 
+    /// The first of the load factors beyond this one, or 1.
+    double next_target(const std::vector<double> &load_factors, const double load)
+    {
+      double target = 1.;
+      for (const double factor : load_factors)
+        if (factor > load + (1. - end_of_path) && factor < target)
+          target = factor;
+      return target;
+    }
+
     std::string at_load(const double load)
     {
       return "load factor " + std::to_string(load);
@@ -128,7 +138,22 @@ namespace semilunar::shell
                       Patterns::Integer(1));
     prm.add_parameter("Pseudo-transient steps", max_pseudo_steps, "Per load step at most.",
                       Patterns::Integer(1));
-    prm.add_parameter("Arc length steps", max_arc_steps, "In all at most.", Patterns::Integer(1));
+    prm.add_parameter("Arc length steps", max_arc_steps,
+                      "In all at most: the solver gives up where the load is not complete then.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Largest arc", largest_arc,
+                      "Arcs grow by need up to this multiple of the first one, whose length is that "
+                      "of the first load step of a linear shell: a small number gives a path of "
+                      "close points [-].",
+                      Patterns::Double(1e-6));
+    prm.add_parameter("Stop after steps", stop_after_steps,
+                      "The run ends well after so many accepted steps, whatever the load is then; "
+                      "0 for no such end.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Load factors", load_factors,
+                      "Load factors between 0 and 1 at which a load step ends, to have the states "
+                      "there (not for arc length).",
+                      Patterns::List(Patterns::Double(0., 1.)));
     prm.leave_subsection();
   }
 
@@ -147,12 +172,13 @@ namespace semilunar::shell
     Vector previous = u, guess;
     for (unsigned int number = 1; load < end_of_path;)
     {
-      step = std::min(step, 1. - load);
-      const double next = step > end_of_path - load ? 1. : load + step;
+      const double target = next_target(parameters.load_factors, load);
+      const double part = std::min(step, target - load);
+      const double next = target - load - part < 1. - end_of_path ? target : load + part;
       guess = u;
       if (previous_step > 0.) // extrapolate from the last two states
       {
-        guess.sadd(1. + step / previous_step, -step / previous_step, previous);
+        guess.sadd(1. + part / previous_step, -part / previous_step, previous);
         Vector change = guess;
         change -= u;
         if (change.linfty_norm() > system.largest_change())
@@ -173,8 +199,9 @@ namespace semilunar::shell
           step *= step_growth;
       }
       else
-        step /= step_growth * step_growth;
-      if (hooks.interrupted())
+        step = part / (step_growth * step_growth);
+      if (hooks.interrupted() ||
+          (result.converged && (number - 1 == parameters.stop_after_steps || hooks.finished())))
         return iterate.total_iterations;
       if (!result.converged && step < parameters.smallest_load_step)
         throw NumericsError("the load step fell below its bound: " + result.failure, at_load(next),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Prescribed and tied displacements: counts, values, the transposed map of forces; the reduced
+// Prescribed and tied displacements: counts, values, conflicts, the transposed map of forces; the reduced
 // tangent matrix against the product with the dense map.
 
 #include <semilunar/core/exceptions.h>
@@ -82,6 +82,43 @@ namespace
     check_true("prescribed components have no equation",
                equations(1, 1) == Equations::none && equations(14, 1) == Equations::none &&
                    equations(19, 2) == Equations::none && equations(19, 1) != Equations::none);
+  }
+
+  /// Two values for one component are refused, through ties as well; equal ones are not.
+  void check_conflicts()
+  {
+    const auto refused = [](const std::function<void(Equations &)> &prescribe)
+    {
+      Equations equations(4);
+      equations.tie(0, 1, 2);
+      equations.prescribe(0, 2, 1.);
+      try
+      {
+        prescribe(equations);
+      }
+      catch (const InputError &error)
+      {
+        return error.where() == "Supports/Supports";
+      }
+      return false;
+    };
+    check_true("the same value again", !refused([](Equations &e) { e.prescribe(0, 2, 1.); }) &&
+                                           !refused([](Equations &e) { e.prescribe(1, 2, 1.); }));
+    check_true("another value", refused([](Equations &e) { e.prescribe(0, 2, 0.); }));
+    check_true("another value for a tied component",
+               refused([](Equations &e) { e.prescribe(1, 2, 0.); }));
+    check_true("a tie of two values", refused(
+                                          [](Equations &e)
+                                          {
+                                            e.prescribe(3, 2, 2.);
+                                            e.tie(3, 1, 2);
+                                          }));
+    check_true("a tie of two equal values", !refused(
+                                                [](Equations &e)
+                                                {
+                                                  e.prescribe(3, 2, 1.);
+                                                  e.tie(3, 1, 2);
+                                                }));
   }
 
   void check_expansion()
@@ -203,6 +240,7 @@ namespace
 int main()
 {
   check_numbers();
+  check_conflicts();
   check_expansion();
   check_matrix();
 }

@@ -141,6 +141,32 @@ namespace
                run.steps.size() >= 57 && run.steps.size() < 100);
   }
 
+  void check_ends()
+  {
+    StaticSolverParameters p = parameters(2);
+    p.load_factors = {0.9, 0.05, 0.3, 1.};
+    AlgebraicSystem system = springs(f, slope, {{f(2.), f(-0.5)}});
+    const Run landed(system, p);
+    double missed = 0.;
+    for (const double factor : {0.05, 0.3, 0.9, 1.})
+      missed += std::none_of(landed.steps.begin(), landed.steps.end(),
+                             [&](const LoadStep &step) { return step.load == factor; });
+    check("load steps end at the load factors asked for", missed, 0.);
+    check_true("and take no more than they need", landed.steps.size() <= 6);
+
+    p = parameters(10);
+    p.stop_after_steps = 3;
+    const Run stopped(system, p);
+    check_true("stop after 3 steps", stopped.error.empty() && stopped.steps.size() == 3);
+
+    Vector u(2);
+    unsigned int n = 0;
+    solve_static(system, u, parameters(10),
+                 {[&](const LoadStep &, const Vector &) { ++n; }, [] { return false; },
+                  [](double) {}, [&] { return n == 2; }});
+    check_true("stop where the caller says", n == 2);
+  }
+
   void check_giving_up()
   {
     // u (2 - u) = load / 0.6 has no solution beyond a load factor of 0.6
@@ -201,6 +227,7 @@ int main()
 {
   check_full_load();
   check_cut_back();
+  check_ends();
   check_giving_up();
   check_interruption();
   check_snap_through();

@@ -42,6 +42,7 @@ namespace semilunar::scene
     const shell::Assembly assembly;
     const std::unique_ptr<shell::Contact> contact; ///< null if there is none
     const shell::ControlVectors dead_forces;
+    const shell::EdgeMoments edge_moments;
     shell::Equilibrium equilibrium;
   };
 

@@ -31,8 +31,14 @@ namespace semilunar::shell
     /// pressure to the forces, and hands each element's derivative of them to add_block unless that
     /// is empty. Elements are computed by all threads and added in their order: the sums do not
     /// depend on the number of threads.
+    /// @param predicted resultants at the quadrature points for the geometric part of the tangent
+    /// in place of those of the state, unless null
     double add(const ControlVectors &x, double pressure, ControlVectors &forces,
-               const AddBlock &add_block) const;
+               const AddBlock &add_block, const std::vector<Resultants> *predicted = nullptr) const;
+
+    /// The resultants at all quadrature points that the linearisation at x predicts after a change
+    /// dx: (K12).
+    std::vector<Resultants> predict(const ControlVectors &x, const ControlVectors &dx) const;
 
     /// Add the internal forces of the energy-momentum method between two positions of the control
     /// points: conserving_gradient() at all points.
@@ -57,7 +63,8 @@ namespace semilunar::shell
     struct ElementResult;
     spline::SurfaceJet jet(const double *positions, unsigned int q) const;
     void element_response(unsigned int element, const ControlVectors &x, double pressure,
-                          bool with_tangent, Scratch &scratch, ElementResult &result) const;
+                          bool with_tangent, const std::vector<Resultants> *predicted,
+                          Scratch &scratch, ElementResult &result) const;
     void element_conserving(unsigned int element, const ControlVectors &from,
                             const ControlVectors &to, Scratch &scratch,
                             ElementResult &result) const;

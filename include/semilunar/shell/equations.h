@@ -17,7 +17,8 @@ namespace semilunar::shell
     /// All components free.
     explicit Equations(unsigned int n_control_points);
 
-    /// The displacement is value times the load factor.
+    /// The displacement is value times the load factor. This and tie() throw an InputError for two
+    /// different values of one component.
     void prescribe(unsigned int control_point, unsigned int component, double value);
     /// Both displacements are equal.
     void tie(unsigned int control_point, unsigned int other, unsigned int component);

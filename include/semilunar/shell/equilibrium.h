@@ -5,6 +5,7 @@
 #include <semilunar/core/timers.h>
 #include <semilunar/shell/assembly.h>
 #include <semilunar/shell/contact.h>
+#include <semilunar/shell/edge_moments.h>
 #include <semilunar/shell/equations.h>
 #include <semilunar/shell/nonlinear_system.h>
 #include <semilunar/shell/sparse_system.h>
@@ -13,8 +14,8 @@
 
 namespace semilunar::shell
 {
-  /// Static equilibrium of a shell under follower pressure, dead forces, prescribed displacements
-  /// and contact, all but contact proportional to the load factor.
+  /// Static equilibrium of a shell under follower pressure, dead forces, edge moments, prescribed
+  /// displacements and contact, all but contact proportional to the load factor.
   class Equilibrium : public NonlinearSystem
   {
   public:
@@ -22,15 +23,18 @@ namespace semilunar::shell
     /// @param dead_forces on the control points at load factor one
     /// @param contact     may be null
     /// @param timers      get the phases "assembly", "contact" and "linear solver"
+    /// @param edge_moments at load factor one; may be null
     Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
                 const Equations &equations, const Assembly &assembly, double pressure,
-                const ControlVectors &dead_forces, Contact *contact, Timers &timers);
+                const ControlVectors &dead_forces, Contact *contact, Timers &timers,
+                const EdgeMoments *edge_moments = nullptr);
 
     unsigned int n_unknowns() const override { return equations.n_equations(); }
     double residual(const Vector &u, double load, Vector &r) override;
     void linearize(const Vector &u, double load, double shift) override;
     /// The same with what @p add adds to the tangent, as the inertia of a time step.
     void linearize(const Vector &u, double load, const std::function<void(SparseSystem &)> &add);
+    void linearize_predicted(const Vector &u, double load) override;
     void solve(Vector &right_hand_side) const override;
     const Vector &lumped_area() const override { return area; }
     void load_derivative(const Vector &u, double load, Vector &derivative) override;
@@ -66,9 +70,11 @@ namespace semilunar::shell
     const double pressure;
     const ControlVectors &dead_forces;
     Contact *const contact;
+    const EdgeMoments *const edge_moments;
     const spline::Surface &surface;
     const ControlVectors undeformed;
     ControlVectors start_of_step; // none: static
+    ControlVectors linearized_at; // positions
     SparseSystem matrix;
     Vector area;
     const double load_norm; // of the external forces at load factor one
@@ -76,6 +82,8 @@ namespace semilunar::shell
     /// Forces on the control points at x but for contact.
     ControlVectors internal_minus_external(const ControlVectors &x, double load);
     std::vector<std::pair<unsigned int, unsigned int>> touching_elements() const;
+    void linearize(const Vector &u, double load, const std::function<void(SparseSystem &)> &add,
+                   const std::vector<Resultants> *predicted);
     const QuadraturePoints &points;
     Timers &timers;
   };

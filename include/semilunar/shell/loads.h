@@ -16,7 +16,7 @@ namespace semilunar::shell
     double pressure_mmhg = 0.;
     std::string area_load = "0, 0, 0";
     std::string acceleration = "0, 0, 0";
-    std::string point_loads, edge_loads;
+    std::string point_loads, edge_loads, edge_moments;
 
     void add_parameters(dealii::ParameterHandler &prm);
     /// Pressure in the scene's units. @throws InputError if given twice

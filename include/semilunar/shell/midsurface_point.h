@@ -28,9 +28,16 @@ namespace semilunar::shell
   /// Derivatives in the jet are with respect to the orthonormal coordinates of the undeformed
   /// point. Overwrites the response; its Hessian only if with_tangent. @return energy per
   /// undeformed area
+  /// @param predicted resultants of the geometric part of the Hessian in place of the state's own,
+  /// unless null
   double strain_response(const Section &section, const spline::SurfaceJet &jet, const Symmetric &b0,
                          const std::array<double, 2> &fibre, bool with_tangent,
-                         PointResponse &response);
+                         PointResponse &response, const Resultants *predicted = nullptr);
+
+  /// The resultants that the linearisation at a midsurface predicts after a change: (K12).
+  Resultants predict_resultants(const Section &section, const spline::SurfaceJet &jet,
+                                const spline::SurfaceJet &change, const Symmetric &b0,
+                                const std::array<double, 2> &fibre);
 
   /// Add the follower pressure p acting against the normal, force -p n per deformed area: (K10).
   void add_pressure(const spline::SurfaceJet &jet, double pressure, bool with_tangent,

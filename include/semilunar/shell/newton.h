@@ -26,8 +26,10 @@ namespace semilunar::shell
     std::string failure;  ///< why it did not converge
   };
 
-  /// Newton's method with a line search on the work of the residual along the step; keeps every
-  /// change below largest_change(). On failure u is where it was when called.
+  /// Newton's method: whole steps with the tangent of the predicted stress (K12), and where they
+  /// diverge once more with a line search on the work of the residual along the step. Keeps every
+  /// change below largest_change(). Counts the iterations of both, each of which may take
+  /// max_iterations. On failure u is where it was when called.
   IterationResult solve_newton(NonlinearSystem &system, double load, NonlinearSystem::Vector &u,
                                const IterationParameters &parameters);
 

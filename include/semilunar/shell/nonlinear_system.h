@@ -22,6 +22,10 @@ namespace semilunar::shell
 
     /// Factorise dr/du + shift M at (u, load), M a positive diagonal (lumped area).
     virtual void linearize(const Vector &u, double load, double shift) = 0;
+    /// The same without shift for iterations that take whole steps: where the tangent depends on
+    /// the stress, it may take the one that the last linearisation predicts here instead of the one
+    /// of this state.
+    virtual void linearize_predicted(const Vector &u, double load) { linearize(u, load, 0.); }
     /// Solve with what linearize() made.
     virtual void solve(Vector &right_hand_side) const = 0;
     virtual const Vector &lumped_area() const = 0;

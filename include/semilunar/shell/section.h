@@ -37,6 +37,12 @@ namespace semilunar::shell
     Tangent bending{};
   };
 
+  /// Membrane force and bending moment alone.
+  struct Resultants
+  {
+    Symmetric n, m;
+  };
+
   /// Material law integrated through the thickness.
   class Section
   {

@@ -17,6 +17,9 @@ namespace semilunar::shell
     unsigned int max_iterations = 25;
     unsigned int max_pseudo_steps = 1000;
     unsigned int max_arc_steps = 500;
+    double largest_arc = 1000.;        ///< in units of the first
+    unsigned int stop_after_steps = 0; ///< 0: where the load is complete
+    std::vector<double> load_factors;  ///< that load steps end at, besides 1; in any order
 
     void add_parameters(dealii::ParameterHandler &prm);
   };
@@ -38,12 +41,15 @@ namespace semilunar::shell
     std::function<bool()> interrupted = [] { return false; };
     /// Told the relative residual of each iteration towards the next accepted state.
     std::function<void(double)> observe = [](double) {};
+    /// Asked after each accepted state: whether the run has got where it was to go.
+    std::function<bool()> finished = [] { return false; };
   };
 
   /// Bring the load factor from 0 to 1. Load steps shrink where the iteration fails and grow where
   /// it is quick. Method "automatic" tries Newton's method and falls back to pseudo-transient
   /// continuation; "arc length" follows the path through limit points until the load factor first
-  /// reaches 1; "linear" solves once with the tangent of the undeformed state.
+  /// reaches 1; "linear" solves once with the tangent of the undeformed state. Ends before where
+  /// the hooks say so or after the number of steps asked for.
   /// @param u the solution at load factor 0 on entry (zero), at load factor 1 on exit; the last
   /// accepted state if it throws
   /// @return total number of iterations
