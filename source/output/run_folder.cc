@@ -15,9 +15,9 @@ namespace semilunar::output
   {
     bool belongs_to_a_run(const fs::path &file)
     {
-      static const std::set<std::string> names = {"parameters.prm", "summary.json",
-                                                  "timeseries.csv", "speed_vs_error.csv",
-                                                  "speed_vs_error.svg"};
+      static const std::set<std::string> names = {"parameters.prm",     "summary.json",
+                                                  "timeseries.csv",     "speed_vs_error.csv",
+                                                  "speed_vs_error.svg", "deviation.csv"};
       static const std::set<std::string> extensions = {".pvd", ".vtu", ".part"};
       return names.count(file.filename().string()) > 0 ||
              extensions.count(file.extension().string()) > 0;

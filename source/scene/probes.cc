@@ -32,6 +32,14 @@ namespace semilunar::scene
     return all;
   }
 
+  std::vector<std::string> Probes::names() const
+  {
+    std::vector<std::string> all;
+    for (const auto &column : columns())
+      all.push_back(column.name);
+    return all;
+  }
+
   std::vector<double> Probes::displacements(const shell::ControlVectors &x) const
   {
     std::vector<double> all;

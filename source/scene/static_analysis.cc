@@ -2,12 +2,14 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/interrupt.h>
 #include <semilunar/output/time_series.h>
+#include <semilunar/scene/displacement_limits.h>
 #include <semilunar/scene/probes.h>
 #include <semilunar/scene/shell_output.h>
 #include <semilunar/scene/static_analysis.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace semilunar::scene
@@ -86,12 +88,36 @@ namespace semilunar::scene
     prm.add_parameter("Probes", probes,
                       "Points whose displacement is recorded, 'NAME: (x, y, z)', separated by "
                       "semicolons; the nearest point of the undeformed surface is taken.");
+    prm.add_parameter(
+        "Reference curve", reference_curve,
+        "A file of published values with the columns quantity, load_factor, value, "
+        "source, where quantity is a probe's as in tip_uz, or -tip_uz for the other "
+        "sign. Load steps end at its load factors; deviation.csv and the summary tell "
+        "the deviations.",
+        dealii::Patterns::FileName());
+    prm.leave_subsection();
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Stop at", stop_at,
+                      "Displacements that end the run well before the full load, 'tip_uz: 3', "
+                      "separated by semicolons: the first state where a probe's component is as "
+                      "large in amount [length].");
     prm.leave_subsection();
   }
 
   shell::ControlVectors StaticAnalysis::run(ShellModel &model, RunContext &context) const
   {
     const Probes points(probes, model.surface, "Output/Probes");
+    const DisplacementLimits limits(stop_at, points.names());
+    LoadPath path{points.names(), {}, {}};
+    shell::StaticSolverParameters solver = this->solver;
+    std::optional<ReferenceCurve> curve;
+    if (!reference_curve.empty())
+    {
+      curve.emplace(reference_curve);
+      curve->check(path.names);
+      const auto factors = curve->load_factors();
+      solver.load_factors.insert(solver.load_factors.end(), factors.begin(), factors.end());
+    }
     report_size(model, context.log);
     context.results.unknowns = model.equations.n_equations();
     shell::Equilibrium::Vector u(model.equations.n_equations());
@@ -109,6 +135,8 @@ namespace semilunar::scene
       x = model.equilibrium.positions(state, step.load);
       last_file = files.write(step.load, x);
       series.add_row(row(step, model, x, points));
+      path.loads.push_back(step.load);
+      path.values.push_back(points.displacements(x));
       context.results.steps = step.number;
       load = step.load;
       context.log.line(describe(step));
@@ -121,17 +149,23 @@ namespace semilunar::scene
       const double step = std::min(1. / solver.n_load_steps, 1. - load);
       context.log.progress("loading", load + 0.99 * step * std::clamp(decades, 0., 1.));
     };
+    const auto finished = [&] { return limits.reached(path.values.back()); };
     try
     {
       const Timers::Scope timer(context.timers, "solve");
       context.results.newton_iterations =
-          solve_static(model.equilibrium, u, solver, {accepted, interrupted, observe});
+          solve_static(model.equilibrium, u, solver, {accepted, interrupted, observe, finished});
     }
     catch (const NumericsError &error)
     {
       throw error.after((context.folder / last_file).string());
     }
     add_quantities(model, x, points, context.results);
+    context.results.quantities.push_back({"load_factor", load, "-"});
+    if (curve)
+      curve->compare(path,
+                     solver.method == "arc length" ? Comparison::with_path : Comparison::at_load,
+                     context.folder, context.results);
     return x;
   }
 } // namespace semilunar::scene

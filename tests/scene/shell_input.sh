@@ -74,6 +74,40 @@ wrong Output/Probes '"(1, 0)": this is not a vector' 'Output/Probes=tip: (1, 0)'
 wrong Solver/Method '= "newton": the value is not allowed; give one of' Solver/Method=newton
 expect 1 'contact is not linear' strip.prm --set Solver/Method=linear --set Contact/Enabled=true
 
+wrong 'Solver/Stop at' '"tip_ux 3": this is no displacement; write NAME_ux: VALUE' \
+  'Output/Probes=tip: (1, 0, 0)' 'Solver/Stop at=tip_ux 3'
+wrong 'Solver/Stop at' \
+  '"tip_uz": no probe records this; name a probe and its component: did you mean '\''tipp_uz' \
+  'Output/Probes=tipp: (1, 0, 0)' 'Solver/Stop at=tip_uz: 3'
+supports 'clamp x=0; move left z 0.1' 'is given two different displacements in z: 0 and 0.1'
+wrong 'Loads/Edge moments' '"x=1 3": this is not a moment along an edge; write PLACE: M' \
+  'Loads/Edge moments=x=1 3'
+
+# Reference curves: deviations by hand from a straight one, and files that are none.
+curve() {
+  printf 'quantity,load_factor,value,source\n%s\n' "$2" >curve.csv
+  expect 1 "$1" strip.prm --dry-run --set 'Output/Probes=tip: (1, 0, 0)' \
+    --set 'Output/Reference curve=curve.csv'
+}
+curve 'curve.csv:2 = "tip_u": the run records no such quantity' 'tip_u,1,2,me'
+curve 'curve.csv:2 = "two": this is not a number' 'tip_uz,1,two,me'
+curve 'curve.csv:2 = "tip_uz,1,2": a reference needs four fields' 'tip_uz,1,2'
+expect 1 'this is no header of a reference curve' strip.prm --dry-run \
+  --set 'Output/Reference curve=strip.prm'
+expect 1 'cannot be read' strip.prm --dry-run --set 'Output/Reference curve=none.csv'
+printf 'quantity,load_factor,value,source\n-tip_uz,%s,me\n-tip_uz,%s,me\n' 0.37,-0.5 1,-2 >curve.csv
+expect 0 'load factor 0.37, ' strip.prm --output curve --set 'Loads/Edge loads=x=1: (0, 0, 1e-9)' \
+  --set 'Output/Probes=tip: (1, 0, 0)' --set 'Output/Reference curve=curve.csv'
+expect_between curve points_compared 2 2
+expect_between curve largest_deviation 0.999999 1.000001 # nothing moves, against 2
+expect_between curve mean_deviation 0.624999 0.625001
+
+# A displacement that ends the run.
+expect 0 '' strip.prm --output stopped --set 'Loads/Edge loads=x=1: (0, 0, 1)' \
+  --set 'Output/Probes=tip: (1, 0, 0)' --set 'Solver/Stop at=tip_uz: 0.001'
+expect_between stopped tip_uz 0.001 0.1
+expect_between stopped load_factor 0 0.9999
+
 # Numerics that give up say how far they came and name a file that is there.
 gives_up() {
   expect 2 'at load factor 0.' strip.prm --output "$1" --set "Loads/Edge loads=x=1: ($2)"

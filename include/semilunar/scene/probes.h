@@ -18,6 +18,7 @@ namespace semilunar::scene
     Probes(const std::string &list, const spline::Surface &surface, const std::string &entry);
 
     std::vector<output::TimeSeries::Column> columns() const;
+    std::vector<std::string> names() const;
     /// Displacement components of all probes, in the order of the columns.
     std::vector<double> displacements(const shell::ControlVectors &x) const;
     /// The same as quantities.

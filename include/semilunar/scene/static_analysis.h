@@ -3,6 +3,7 @@
 #define semilunar_scene_static_analysis_h
 
 #include <semilunar/output/surface_vtu.h>
+#include <semilunar/scene/reference_curve.h>
 #include <semilunar/scene/shell_model.h>
 #include <semilunar/shell/static_solver.h>
 
@@ -16,7 +17,7 @@ namespace semilunar::scene
     ShellParameters shell;
     shell::StaticSolverParameters solver;
     output::SurfaceVtuParameters vtu;
-    std::string probes;
+    std::string probes, stop_at, reference_curve;
 
     void add_parameters(dealii::ParameterHandler &prm);
 
