@@ -9,9 +9,9 @@ namespace semilunar
 {
   namespace
   {
-    const std::vector<std::string> options = {"--set",     "--output",      "--levels",
-                                              "--dry-run", "--quiet",       "--help",
-                                              "--version", "--list-scenes", "--print-parameters"};
+    const std::vector<std::string> options = {
+        "--set",   "--output", "--levels",  "--dry-run",     "--restart",
+        "--quiet", "--help",   "--version", "--list-scenes", "--print-parameters"};
 
     const std::map<std::string, ParameterFormat> formats = {
         {"prm", ParameterFormat::prm},
@@ -74,6 +74,8 @@ namespace semilunar
         result.n_levels = parse_n_levels(arguments);
       else if (option == "--dry-run")
         result.dry_run = true;
+      else if (option == "--restart")
+        result.restart = true;
       else if (option == "--quiet")
         result.quiet = true;
       else if (option == "--help")
@@ -104,6 +106,9 @@ namespace semilunar
         throw InputError(argument, "", "there is a scene file already, " + result.scene_file,
                          "give one scene file; changed entries follow a --set");
     }
+    if (result.restart && (result.dry_run || result.n_levels > 0))
+      throw InputError("--restart", "", "only a plain run can go on from a checkpoint",
+                       "leave out --dry-run and --levels");
     if (result.action == Action::run && result.scene_file.empty())
       throw InputError("command line", "", "there is no scene file", Arguments::usage_hint);
     return result;
@@ -117,6 +122,7 @@ namespace semilunar
   --output FOLDER              where to write (default: results/SCENE)
   --levels N                   run at N resolutions, each finer by what the scene's section Levels
                                says, and report speed against error
+  --restart                    go on from the last checkpoint in the output folder
   --dry-run                    read and build everything, report sizes, compute and write nothing
   --quiet                      print nothing but errors
 

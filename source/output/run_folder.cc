@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/checkpoint.h>
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/first_rank.h>
 #include <semilunar/core/parameters.h>
@@ -15,9 +16,9 @@ namespace semilunar::output
   {
     bool belongs_to_a_run(const fs::path &file)
     {
-      static const std::set<std::string> names = {"parameters.prm",     "summary.json",
-                                                  "timeseries.csv",     "speed_vs_error.csv",
-                                                  "speed_vs_error.svg", "deviation.csv"};
+      static const std::set<std::string> names = {
+          "parameters.prm", "summary.json",  "timeseries.csv",     "profile.csv",
+          "free_edge.csv",  "deviation.csv", "speed_vs_error.csv", "speed_vs_error.svg"};
       static const std::set<std::string> extensions = {".pvd", ".vtu", ".part"};
       return names.count(file.filename().string()) > 0 ||
              extensions.count(file.extension().string()) > 0;
@@ -35,6 +36,7 @@ namespace semilunar::output
       for (const fs::directory_entry &file : fs::directory_iterator(folder))
         if (file.is_regular_file() && belongs_to_a_run(file.path()))
           fs::remove(file.path());
+      remove_checkpoints(folder);
     }
   } // namespace
 

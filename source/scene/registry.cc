@@ -4,7 +4,9 @@
 #include <semilunar/core/parameters.h>
 #include <semilunar/scene/geometry.h>
 #include <semilunar/scene/registry.h>
+#include <semilunar/scene/shell_dynamics.h>
 #include <semilunar/scene/shell_statics.h>
+#include <semilunar/scene/valve_dynamics.h>
 #include <semilunar/scene/valve_statics.h>
 
 #include <algorithm>
@@ -24,7 +26,10 @@ namespace semilunar::scene
   {
     static const std::map<std::string, SceneKind> kinds = {
         {"geometry", kind<Geometry>("build a surface, check it, report on it and write it")},
+        {"shell dynamics", kind<ShellDynamics>("any shell in motion")},
         {"shell statics", kind<ShellStatics>("any shell under static loads")},
+        {"valve dynamics", kind<ValveDynamics>("the leaflets of a valve design, opening and "
+                                               "closing under a transvalvular pressure")},
         {"valve statics",
          kind<ValveStatics>(
              "the leaflets of a valve design under static pressure, touching each other")},

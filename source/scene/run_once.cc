@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/checkpoint.h>
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/interrupt.h>
 #include <semilunar/core/version.h>
@@ -11,15 +12,32 @@ namespace semilunar::scene
 {
   namespace
   {
+    void check_restart(const Scene &scene, const std::filesystem::path &folder)
+    {
+      if (!scene.can_restart())
+        throw InputError("--restart", "", "scenes of this kind write no checkpoints",
+                         "run it without --restart");
+      if (!has_checkpoint(folder))
+        throw InputError("--restart", folder.string(), "the folder holds no checkpoint",
+                         "give the folder of a run that wrote one with --output");
+    }
+
     void run_in_folder(PreparedScene &prepared, RunContext &context)
     {
       const std::vector<Reference> references = parse_references(prepared.scene->levels.references);
-      create_folder(context.folder, prepared.prm);
+      if (context.restart)
+      {
+        check_restart(*prepared.scene, context.folder);
+        output::write_parameters(context.folder, prepared.prm, version());
+      }
+      else
+        create_folder(context.folder, prepared.prm);
       prepared.scene->run(context);
       if (interrupted())
-        throw NumericsError("the run was interrupted",
-                            "step " + std::to_string(context.results.steps),
-                            context.folder.string());
+        throw NumericsError(
+            has_checkpoint(context.folder) ? "the run was interrupted; --restart goes on with it"
+                                           : "the run was interrupted",
+            "step " + std::to_string(context.results.steps), context.folder.string());
       compare(context.results, references);
       output::write_summary(context.folder, {prepared.kind, context.results, context.timers.cost(),
                                              context.timers.seconds(), version()});
@@ -40,11 +58,11 @@ namespace semilunar::scene
   }
 
   output::LevelRun run_once(const ParameterInput &input, const std::filesystem::path &folder,
-                            const bool dry_run, Log &log)
+                            const bool dry_run, Log &log, const bool restart)
   {
     PreparedScene prepared(input);
     Timers timers;
-    RunContext context{folder, dry_run, log, timers};
+    RunContext context{folder, dry_run, log, timers, restart};
     try
     {
       prepared.scene->check();

@@ -65,7 +65,7 @@ namespace semilunar::scene
     if (command_line.n_levels > 0)
       run_levels(input, command_line.n_levels, folder, command_line.dry_run, log);
     else
-      run_once(input, folder, command_line.dry_run, log);
+      run_once(input, folder, command_line.dry_run, log, command_line.restart);
     log.line(command_line.dry_run ? "dry run: the scene can be built; nothing was written"
                                   : "done in " + duration(timers.cost().wall_seconds) +
                                         ", results in " + folder.string());

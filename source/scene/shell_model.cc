@@ -32,6 +32,14 @@ namespace semilunar::scene
   {
   }
 
+  void report_size(const ShellModel &model, Log &log)
+  {
+    log.line(std::to_string(model.surface.elements.size()) + " elements, " +
+             std::to_string(model.surface.control_points.size()) + " control points, " +
+             std::to_string(model.equations.n_equations()) + " equations, " +
+             std::to_string(model.points.n_points()) + " quadrature points");
+  }
+
   LargestStrain largest_strain(const ShellModel &model, const shell::ControlVectors &x,
                                const int face, const std::function<bool(unsigned int)> &counts)
   {

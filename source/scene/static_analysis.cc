@@ -49,14 +49,6 @@ namespace semilunar::scene
       return text.str();
     }
 
-    void report_size(const ShellModel &model, Log &log)
-    {
-      log.line(std::to_string(model.surface.elements.size()) + " elements, " +
-               std::to_string(model.surface.control_points.size()) + " control points, " +
-               std::to_string(model.equations.n_equations()) + " equations, " +
-               std::to_string(model.points.n_points()) + " quadrature points");
-    }
-
     void add_quantities(const ShellModel &model, const shell::ControlVectors &x,
                         const Probes &probes, RunResults &results)
     {

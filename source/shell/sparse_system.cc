@@ -22,6 +22,17 @@ namespace semilunar::shell
       make_sparsity();
   }
 
+  void SparseSystem::forget()
+  {
+    if (coupled.empty())
+      factors.analyse(sparsity);
+    else
+    {
+      coupled.clear();
+      make_sparsity();
+    }
+  }
+
   std::vector<dealii::types::global_dof_index>
   SparseSystem::free_equations(const std::vector<unsigned int> &control_points) const
   {

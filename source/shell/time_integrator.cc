@@ -18,6 +18,9 @@ namespace semilunar::shell
     /// Steps that could grow by less than the last stay as they are: their tangent can be kept.
     constexpr double safety = 0.9, smallest_factor = 0.3, largest_factor = 2.,
                      worthwhile_factor = 1.2;
+    /// Steps are chosen so that, at the velocity of their start, nothing moves further than this
+    /// share of what contact can follow.
+    constexpr double share_of_reach = 0.8;
     /// After a step that failed and was halved, fixed steps grow back by this factor at a time.
     constexpr double regrowth_factor = 1.5;
     /// The error of a step is of the third order in its length.
@@ -114,10 +117,13 @@ namespace semilunar::shell
   double TimeIntegrator::step_towards(const double stop) const
   {
     const double left = stop - now.time;
-    if (next_step >= left * (1. - rounding))
+    // a step in which something would move further than contact can follow will fail
+    const double followed = share_of_reach * equilibrium.largest_change() / now.v.linfty_norm();
+    const double step = std::min(next_step, std::max(followed, parameters.smallest_step));
+    if (step >= left * (1. - rounding))
       return left;
     // not a long step and then a tiny one
-    return parameters.adaptive && next_step > 0.5 * left ? 0.5 * left : next_step;
+    return parameters.adaptive && step > 0.5 * left ? 0.5 * left : step;
   }
 
   /// Guess of the step's unknown: the velocity goes on, unless contact cannot follow so far.
@@ -132,6 +138,11 @@ namespace semilunar::shell
   TimeStepReport TimeIntegrator::advance(const double next_stop,
                                          const std::function<bool()> &interrupted)
   {
+    if (has_forgotten())
+    {
+      newton.forget_tangent();
+      equilibrium.forget_history();
+    }
     double stop = std::min(next_stop, parameters.end_time);
     if (parameters.adaptive)
       stop = std::min(stop, load_factor.next_corner(now.time * (1. + rounding)));

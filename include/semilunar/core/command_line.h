@@ -24,6 +24,7 @@ namespace semilunar
     std::string output_folder;          ///< "" if not given
     unsigned int n_levels = 0;          ///< resolutions to compare; 0: a plain run
     bool dry_run = false;
+    bool restart = false; ///< go on from the checkpoint in the output folder
     bool quiet = false;
     std::string kind; ///< whose parameters to print
     ParameterFormat format = ParameterFormat::prm;

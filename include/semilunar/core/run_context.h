@@ -39,6 +39,7 @@ namespace semilunar
     bool dry_run = false;         ///< build and check everything, report, compute and write nothing
     Log &log;
     Timers &timers;
+    bool restart = false; ///< go on from the last checkpoint in the folder
     RunResults results{};
   };
 } // namespace semilunar

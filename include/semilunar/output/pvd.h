@@ -21,6 +21,13 @@ namespace semilunar::output
     /// @throws InputError if the collection cannot be written
     void add(double time, const std::string &vtu);
 
+    /// Save or restore which files there are; the collection on disk follows with the next one.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &records;
+    }
+
   private:
     std::string filename;
     std::vector<std::pair<double, std::string>> records;

@@ -9,8 +9,8 @@
 namespace semilunar::output
 {
   /// Make the folder of a run. If it holds an earlier run, that run's parameters.prm, summary.json,
-  /// timeseries.csv, *.pvd and *.vtu are removed, so that no file of it is taken for a new one.
-  /// On the first rank; collective.
+  /// tables (*.csv), *.pvd, *.vtu and checkpoints are removed, so that no file of it is taken for a
+  /// new one. On the first rank; collective.
   /// @throws InputError if the folder cannot be made, or holds files but no run
   void create_run_folder(const std::filesystem::path &folder);
 

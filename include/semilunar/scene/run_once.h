@@ -23,11 +23,12 @@ namespace semilunar::scene
   /// Make the folder and write the entries as the run uses them.
   void create_folder(const std::filesystem::path &folder, const dealii::ParameterHandler &prm);
 
-  /// Run a scene into a folder, or build and check it if this is a dry run.
+  /// Run a scene into a folder, or build and check it if this is a dry run. A restart goes on in
+  /// the folder from its last checkpoint.
   /// @return what the run says about itself, as level 0
   /// @throws InputError with the place where the entry was written; NumericsError
   output::LevelRun run_once(const ParameterInput &input, const std::filesystem::path &folder,
-                            bool dry_run, Log &log);
+                            bool dry_run, Log &log, bool restart = false);
 } // namespace semilunar::scene
 
 #endif

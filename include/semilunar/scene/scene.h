@@ -21,6 +21,9 @@ namespace semilunar::scene
     /// What "finer" means unless the scene file says so: the default of Levels/Finer.
     virtual std::string finer() const { return ""; }
 
+    /// Whether the scene writes checkpoints and can go on from them.
+    virtual bool can_restart() const { return false; }
+
     /// After all entries were read: what no single entry can tell.
     /// @throws InputError whose place is the "Section/Entry" to change
     virtual void check() const {}

@@ -2,6 +2,7 @@
 #ifndef semilunar_scene_shell_model_h
 #define semilunar_scene_shell_model_h
 
+#include <semilunar/core/log.h>
 #include <semilunar/shell/equilibrium.h>
 #include <semilunar/shell/loads.h>
 #include <semilunar/shell/section_parameters.h>
@@ -45,6 +46,9 @@ namespace semilunar::scene
     const shell::EdgeMoments edge_moments;
     shell::Equilibrium equilibrium;
   };
+
+  /// A line about the size of the model.
+  void report_size(const ShellModel &model, Log &log);
 
   /// The largest in-plane principal Green-Lagrange strain over all quadrature points of a face.
   struct LargestStrain

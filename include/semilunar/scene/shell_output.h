@@ -24,6 +24,13 @@ namespace semilunar::scene
     /// @return name of the file
     std::string write(double time, const shell::ControlVectors &x);
 
+    /// Save or restore which files were written.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &collection &n_written;
+    }
+
   private:
     const std::filesystem::path folder;
     const ShellModel &model;

@@ -86,6 +86,14 @@ namespace semilunar::shell
     /// point lies.
     void accept();
 
+    /// Save or restore what is remembered of the last accepted state.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &memory;
+      found_at.clear();
+    }
+
     /// Contact distance minus distance of the midsurfaces where that is largest; 0 if nothing
     /// touches. Counts points on the wrong side with a negative distance.
     double largest_penetration() const;

@@ -53,16 +53,9 @@ namespace semilunar::shell
     /// Forces of pressure and dead loads on the control points at x: what the residual subtracts.
     ControlVectors external_forces(const ControlVectors &x, double load) const;
 
-    /// The pairs of elements that have touched so far. They belong to a state from which a run is
-    /// to go on bit for bit: rounding in the linear solver depends on the matrix's sparsity.
-    std::vector<std::pair<unsigned int, unsigned int>> touched_elements() const
-    {
-      return matrix.coupled_pairs();
-    }
-    void restore_touched(const std::vector<std::pair<unsigned int, unsigned int>> &pairs)
-    {
-      matrix.couple(pairs);
-    }
+    /// Forget which elements have touched and how the matrix was ordered: what comes next depends
+    /// on the state alone, bit for bit.
+    void forget_history() { matrix.forget(); }
 
   private:
     const Equations &equations;

@@ -65,6 +65,8 @@ namespace semilunar::shell
       double angle = 0.; ///< [degrees]
     } fibre;
 
+    double mass_per_area() const { return density * thickness; }
+
     /// Declare and bind the entries of the section Shell.
     void add_parameters(dealii::ParameterHandler &prm);
 

@@ -4,6 +4,8 @@
 
 #include <semilunar/spline/surface.h>
 
+#include <boost/serialization/vector.hpp>
+
 namespace semilunar::shell
 {
   /// On which side (+-1, along the surface's normal) of its neighbors each quadrature point lay in
@@ -16,6 +18,12 @@ namespace semilunar::shell
       unsigned int q, part;
       int side;
       spline::SurfacePoint foot; ///< nearest point of the part
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &q &part &side &foot.element &foot.xi;
+      }
     };
 
     explicit SideMemory(unsigned int n_points) : first(n_points + 1, 0) {}
@@ -40,6 +48,13 @@ namespace semilunar::shell
           ++i;
         first[q] = i;
       }
+    }
+
+    /// Save or restore.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &entries &first;
     }
 
   private:

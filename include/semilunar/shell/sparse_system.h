@@ -24,11 +24,9 @@ namespace semilunar::shell
     /// already.
     void couple(const std::vector<std::pair<unsigned int, unsigned int>> &element_pairs);
 
-    /// The pairs coupled so far, in ascending order.
-    std::vector<std::pair<unsigned int, unsigned int>> coupled_pairs() const
-    {
-      return {coupled.begin(), coupled.end()};
-    }
+    /// Forget which pairs were coupled, and the ordering of the factorisation: the next one depends
+    /// on nothing but its matrix.
+    void forget();
 
     void set_zero() { matrix = 0.; }
 

@@ -73,6 +73,20 @@ namespace semilunar::shell
     bool at_end() const { return now.time >= parameters.end_time; }
     ControlVectors positions() const;
     ControlVectors velocities() const;
+    /// Whether the next steps depend on nothing but motion() and the memory of contact: every so
+    /// many steps tangents and orderings are made anew. Only then a run that is restarted from here
+    /// goes on bit for bit as the run itself.
+    bool has_forgotten() const { return steps % steps_to_remember == 0; }
+    static constexpr unsigned int steps_to_remember = 10;
+
+    /// Save or restore the state; the memory of contact has to be saved apart.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &now.time &now.u &now.v &now.a &next_step &steps;
+      archive &sums.start_energy &sums.inertia &sums.internal &sums.external &sums.viscous;
+    }
+
     unsigned int n_factorizations() const { return newton.n_factorizations(); }
     unsigned int n_steps() const { return steps; }
 
