@@ -2,6 +2,7 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/nearest_name.h>
 #include <semilunar/core/parameters.h>
+#include <semilunar/scene/flow.h>
 #include <semilunar/scene/geometry.h>
 #include <semilunar/scene/registry.h>
 #include <semilunar/scene/shell_dynamics.h>
@@ -25,6 +26,8 @@ namespace semilunar::scene
   const std::map<std::string, SceneKind> &scene_kinds()
   {
     static const std::map<std::string, SceneKind> kinds = {
+        {"flow", kind<Flow>("blood flow through a rigid artery, a pipe, a channel or a mesh that "
+                            "moves as given")},
         {"geometry", kind<Geometry>("build a surface, check it, report on it and write it")},
         {"shell dynamics", kind<ShellDynamics>("any shell in motion")},
         {"shell statics", kind<ShellStatics>("any shell under static loads")},

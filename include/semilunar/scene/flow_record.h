@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_flow_record_h
+#define semilunar_scene_flow_record_h
+
+#include <semilunar/core/run_context.h>
+#include <semilunar/flow/flow_solver.h>
+#include <semilunar/output/cross_section.h>
+#include <semilunar/output/flow_probe.h>
+#include <semilunar/output/time_series.h>
+#include <semilunar/scene/flow_scene_parameters.h>
+
+namespace semilunar::scene
+{
+  /// The time series of a flow scene, and the quantities read off it.
+  template <int dim>
+  class FlowRecord
+  {
+  public:
+    /// @throws InputError for names that do not exist
+    FlowRecord(const std::filesystem::path &folder, const FlowRecordParameters &parameters,
+               const mesh::Mesh<dim> &mesh);
+
+    /// Locate sections and probes: at first, and whenever the mesh has changed or moved.
+    /// @throws InputError for probes outside of the mesh
+    void reinit(const output::FlowState<dim> &state);
+
+    /// Add a row. Collective.
+    void add(const flow::StepReport &report, flow::FlowSolver<dim> &solver,
+             const output::FlowState<dim> &state);
+
+    /// The last value of each column, peaks, and the flow balance. @throws InputError for peaks of
+    /// columns that do not exist
+    void add_quantities(RunResults &results) const;
+
+  private:
+    struct Column
+    {
+      output::TimeSeries::Column title;
+      std::vector<double> values{};
+    };
+    struct NamedProbe
+    {
+      std::string name;
+      output::FlowProbe<dim> probe;
+    };
+
+    void declare(const std::string &name, const std::string &unit)
+    {
+      columns.push_back({{name, unit}});
+    }
+    void declare_columns();
+    const Column &find(const std::string &name) const;
+    void add_peak(const std::string &name, double sign, RunResults &results) const;
+
+    const FlowRecordParameters parameters;
+    const mesh::BoundaryIds boundary_ids;
+    std::vector<dealii::types::boundary_id> force_ids;
+    std::vector<output::CrossSection<dim>> sections;
+    std::vector<NamedProbe> probes;
+    /// Name and the two probes.
+    std::vector<std::pair<std::string, std::array<std::size_t, 2>>> differences;
+    std::vector<Column> columns;
+    double last_imbalance = 0., largest_imbalance = 0., largest_flow_rate = 0.;
+    std::unique_ptr<output::TimeSeries> series;
+  };
+} // namespace semilunar::scene
+
+#endif

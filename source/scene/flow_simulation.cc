@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/interrupt.h>
+#include <semilunar/mesh/quality.h>
+#include <semilunar/output/flow_errors.h>
+#include <semilunar/output/wall_shear_stress.h>
+#include <semilunar/scene/flow_simulation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace semilunar::scene
+{
+  namespace
+  {
+    /// How often a step that fails is tried again with half its size.
+    constexpr unsigned int max_halvings = 6;
+    /// A step may be so much longer than asked for to end exactly at the end.
+    constexpr double end_tolerance = 1e-6;
+
+    template <int dim>
+    VectorField<dim> field_if_given(const std::string &text, const Constants &constants,
+                                    const std::string &entry)
+    {
+      return text.empty() ? VectorField<dim>() : vector_field<dim>(text, constants, entry);
+    }
+  } // namespace
+
+  template <int dim>
+  FlowSimulation<dim>::FlowSimulation(const FlowSceneParameters &parameters, RunContext &context)
+      : prm(parameters), context(context),
+        exact_velocity(
+            field_if_given<dim>(prm.exact_velocity, prm.constants, "Exact solution/Velocity")),
+        mesh(mesh::make_mesh<dim>(prm.mesh, MPI_COMM_WORLD)),
+        conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
+        mapping(prm.flow.degree), solver(make_solver()),
+        velocity_dofs(
+            std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
+        record(context.dry_run ? std::filesystem::path() : context.folder, prm.record, *mesh),
+        files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh))
+  {
+  }
+
+  template <int dim>
+  std::unique_ptr<flow::FlowSolver<dim>> FlowSimulation<dim>::make_solver()
+  {
+    auto result = std::make_unique<flow::FlowSolver<dim>>(prm.flow, mesh->triangulation, mapping,
+                                                          conditions, context.timers);
+    if (!prm.body_force.empty())
+      result->set_body_force(vector_field<dim>(prm.body_force, prm.constants, "Body force/Force"));
+    if (!prm.displacement.empty())
+    {
+      const auto displacement =
+          vector_field<dim>(prm.displacement, prm.constants, "Mesh/Motion/Displacement");
+      result->set_mesh_motion([displacement](const dealii::Point<dim> &x, const double time)
+                              { return x + displacement(x, time); });
+    }
+    return result;
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::initialise()
+  {
+    const VectorField<dim> given =
+        field_if_given<dim>(prm.initial_velocity, prm.constants, "Initial state/Velocity");
+    if (given)
+      solver->initialise(0., given);
+    else if (!exact_velocity)
+      solver->initialise(0.);
+    else if (prm.exact_pressure.empty())
+      solver->initialise(0., exact_velocity, {}, prm.step);
+    else
+      solver->initialise(
+          0., exact_velocity,
+          scalar_field<dim>(prm.exact_pressure, prm.constants, "Exact solution/Pressure"),
+          prm.step);
+  }
+
+  template <int dim>
+  output::FlowState<dim> FlowSimulation<dim>::state() const
+  {
+    return {solver->mapping(),  velocity_dofs->handler(), solver->spaces().pressure_dofs(),
+            solver->velocity(), solver->pressure(),       prm.flow.density,
+            prm.flow.viscosity, solver->time(),           last_dt};
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::report_size() const
+  {
+    const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, mapping);
+    context.log.line(mesh::describe(quality) + ", " +
+                     std::to_string(velocity_dofs->handler().n_dofs() +
+                                    solver->spaces().pressure_dofs().n_dofs()) +
+                     " unknowns");
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::run()
+  {
+    report_size();
+    record.reinit(state());
+    if (context.dry_run)
+      return;
+    {
+      const Timers::Scope timer(context.timers, "initial state");
+      initialise();
+    }
+    last_velocity = solver->velocity();
+    write();
+    double dt = prm.step;
+    try
+    {
+      while (solver->time() < prm.end * (1. - end_tolerance) && !interrupted())
+      {
+        const double left = prm.end - solver->time();
+        const flow::StepReport report = step(left < dt * (1. + end_tolerance) ? left : dt);
+        finish_step(report);
+        dt = solver->suggested_dt(report.dt);
+        if (prm.steady_tolerance > 0. && rate_of_change(report.dt) < prm.steady_tolerance)
+          break;
+      }
+    }
+    catch (const NumericsError &error)
+    {
+      write();
+      throw error.after((context.folder / last_file).string());
+    }
+    context.log.progress("flow", 1.);
+    write();
+    add_quantities();
+  }
+
+  template <int dim>
+  flow::StepReport FlowSimulation<dim>::step(double dt)
+  {
+    const Timers::Scope timer(context.timers, "time steps");
+    const bool may_retry = prm.flow.step_control != "fixed";
+    for (unsigned int n = 0;; ++n)
+      try
+      {
+        return solver->advance(dt);
+      }
+      catch (const NumericsError &error)
+      {
+        if (!may_retry || n == max_halvings)
+          throw;
+        context.log.line(std::string(error.what()) + "; trying half the step");
+        dt *= 0.5;
+      }
+  }
+
+  template <int dim>
+  std::string FlowSimulation<dim>::describe(const flow::StepReport &report) const
+  {
+    char text[160];
+    std::snprintf(text, sizeof(text),
+                  "step %u, t = %.6g s, dt = %.3g s, CFL %.2f, cell Re %.0f, %u Krylov iterations",
+                  context.results.steps, report.time, report.dt, report.cfl, report.cell_reynolds,
+                  report.n_linear);
+    return text;
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::finish_step(const flow::StepReport &report)
+  {
+    ++context.results.steps;
+    context.results.newton_iterations += report.n_nonlinear;
+    last_dt = report.dt;
+    {
+      const Timers::Scope timer(context.timers, "output");
+      if (!prm.displacement.empty())
+        record.reinit(state());
+      record.add(report, *solver, state());
+      context.log.line(describe(report));
+      context.log.progress("flow", std::min(report.time / prm.end, 0.999));
+    }
+    if (prm.record.vtu.interval > 0. && report.time >= next_output - 0.5 * report.dt &&
+        report.time < prm.end * (1. - end_tolerance))
+      write();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::write()
+  {
+    const Timers::Scope timer(context.timers, "output");
+    last_file = files.write(state());
+    next_output = solver->time() + prm.record.vtu.interval;
+  }
+
+  template <int dim>
+  double FlowSimulation<dim>::rate_of_change(const double dt)
+  {
+    last_velocity -= solver->velocity();
+    const double change = last_velocity.l2_norm();
+    last_velocity = solver->velocity();
+    const double norm = last_velocity.l2_norm();
+    return norm > 0. ? change / norm / dt : std::numeric_limits<double>::infinity();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::add_quantities()
+  {
+    auto &results = context.results;
+    record.add_quantities(results);
+    const auto stress = output::wall_shear_stress(state(), prm.boundaries.walls<dim>(*mesh));
+    const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, solver->mapping());
+    results.unknowns =
+        velocity_dofs->handler().n_dofs() + solver->spaces().pressure_dofs().n_dofs();
+    results.quantities.insert(results.quantities.end(),
+                              {{"wall_shear_stress_min", stress.min, "dyn/cm^2"},
+                               {"wall_shear_stress_max", stress.max, "dyn/cm^2"},
+                               {"wall_shear_stress_mean", stress.mean, "dyn/cm^2"},
+                               {"cells", double(quality.n_cells), "-"},
+                               {"min_scaled_jacobian", quality.min_scaled_jacobian, "-"},
+                               {"volume", quality.volume, dim == 3 ? "cm^3" : "cm^2"}});
+    if (!exact_velocity)
+      return;
+    const double time = solver->time();
+    std::function<double(const dealii::Point<dim> &)> pressure;
+    if (!prm.exact_pressure.empty())
+      pressure = [time, p = scalar_field<dim>(prm.exact_pressure, prm.constants,
+                                              "Exact solution/Pressure")](
+                     const dealii::Point<dim> &x) { return p(x, time); };
+    const output::FlowErrors errors = output::flow_errors<dim>(
+        state(), [this, time](const dealii::Point<dim> &x) { return exact_velocity(x, time); },
+        pressure, conditions.closed());
+    results.quantities.insert(results.quantities.end(),
+                              {{"velocity_error_l2", errors.velocity_l2, "cm/s"},
+                               {"velocity_error_h1", errors.velocity_h1, "1/s"},
+                               {"velocity_error_max", errors.velocity_max, "cm/s"}});
+    if (pressure)
+      results.quantities.push_back({"pressure_error_l2", errors.pressure_l2, "dyn/cm^2"});
+  }
+
+  template class FlowSimulation<2>;
+  template class FlowSimulation<3>;
+} // namespace semilunar::scene
