@@ -104,7 +104,7 @@ namespace semilunar::flow
     for (const auto &[id, part] : boundary.parts())
       if (const auto &traction = bc.all().at(id).traction)
         boundary.subtract_traction(id, traction, step.time, r.velocity);
-    if (!point_terms.empty())
+    if (!point_terms.inactive())
       point_terms.add(state.velocity, true, r.velocity);
     finish_momentum(r.velocity, false);
     finish_continuity(r.pressure);
@@ -133,7 +133,7 @@ namespace semilunar::flow
     forms->add_jacobian(x.velocity, x.pressure, result.velocity, result.pressure);
     for (const auto &[id, relation] : relations)
       boundary.add_backflow(id, x.velocity, result.velocity);
-    if (!point_terms.empty())
+    if (!point_terms.inactive())
       point_terms.add(x.velocity, false, result.velocity);
     finish_momentum(result.velocity, false);
     finish_continuity(result.pressure);

@@ -234,9 +234,10 @@ namespace semilunar::flow
                                          old_state.velocity.l2_norm() * volume / n_nodes +
                                      old_state.pressure.l2_norm() * std::pow(h, dim - 1));
     const double scale = current.residual;
+    linear_target = std::max(prm.linear_tolerance * scale, floor);
     if (!iterate)
     {
-      nonlinear_iteration(std::max(prm.linear_tolerance * scale, floor), false);
+      nonlinear_iteration(linear_target, false);
       return;
     }
     const double target = std::max(prm.nonlinear_tolerance * scale, floor);
@@ -253,6 +254,16 @@ namespace semilunar::flow
                             "t = " + std::to_string(current.time), "");
       nonlinear_iteration(std::max(prm.linear_tolerance * current.residual, 0.1 * target), newton);
     }
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::correct_step()
+  {
+    Assert(in_step, dealii::ExcMessage("solve_step() comes first."));
+    Timers::Scope scope(timers, "flow");
+    equations.residual(state, residual);
+    if (linear_solver.norm(residual) > linear_target)
+      nonlinear_iteration(linear_target, false);
   }
 
   template <int dim>

@@ -125,6 +125,29 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  void MomentumMatrix<dim>::add_cell(const CellLane &cell, const double *entries)
+  {
+    if (irregular[cell.batch * n_lanes + cell.lane])
+    {
+      for (unsigned int i = 0; i < n_cell_nodes; ++i)
+        for (unsigned int j = 0; j < n_cell_nodes; ++j)
+          add_entry(cell, i, j, entries[i * n_cell_nodes + j]);
+      return;
+    }
+    const auto *nodes = spaces.velocity_nodes(cell.batch);
+    const unsigned short *places = place.data() + (cell.batch * n_lanes + cell.lane) *
+                                                      std::size_t(n_cell_nodes * n_cell_nodes);
+    for (unsigned int i = 0; i < n_cell_nodes; ++i)
+      if (nodes[i][cell.lane] < n_owned)
+      {
+        float *row = matrix.value.data() + matrix.row_start[nodes[i][cell.lane]];
+        for (unsigned int j = 0; j < n_cell_nodes; ++j)
+          if (const unsigned short at = places[i * n_cell_nodes + j]; at != absent)
+            row[at] += entries[i * n_cell_nodes + j];
+      }
+  }
+
+  template <int dim>
   void MomentumMatrix<dim>::assemble(const Equations<dim> &equations)
   {
     std::fill(matrix.value.begin(), matrix.value.end(), 0.f);
@@ -139,7 +162,8 @@ namespace semilunar::flow
     for (const auto &[id, condition] : equations.conditions().all())
       if (condition.pressure && equations.faces().parts().count(id) > 0)
         equations.faces().backflow_matrix(id, add);
-    equations.points().matrix(add);
+    equations.points().matrix([this](const CellLane &cell, const double *entries)
+                              { add_cell(cell, entries); });
     eliminate(equations.constraints());
   }
 

@@ -14,8 +14,9 @@ declare -A may_include=(
   [shell]="core spline shell"
   [mesh]="core mesh"
   [flow]="core mesh flow"
-  [output]="core spline shell mesh flow output"
-  [scene]="core spline valve shell mesh flow output scene"
+  [coupling]="core spline shell mesh flow coupling"
+  [output]="core spline shell mesh flow coupling output"
+  [scene]="core spline valve shell mesh flow coupling output scene"
   [main]="core scene"
 )
 n_files=0

@@ -61,6 +61,8 @@ namespace semilunar::flow
     /// New positions of the nodes in this step (readable not needed).
     void move_mesh(const Vector &new_positions);
     void solve_step();
+    /// Once more from the solution of solve_step(), after forces at points have changed.
+    void correct_step();
     StepReport accept_step();
     void reject_step();
 
@@ -68,6 +70,8 @@ namespace semilunar::flow
     double suggested_dt(double dt) const;
 
     double time() const { return current_time; }
+    /// Of the step that was started.
+    const Bdf &time_derivative() const { return bdf; }
     const Spaces<dim> &spaces() const { return space; }
     const Vector &velocity() const { return state.velocity; }
     const Vector &pressure() const { return state.pressure; }
@@ -117,6 +121,7 @@ namespace semilunar::flow
     FlowVector state, old_state, older_state;
     Vector nodes, old_nodes, older_nodes, reference_nodes, node_velocity;
     Vector history, advecting;
+    double linear_target = 0.; ///< norm of the residual that a linear solution of the step reaches
     FlowVector residual, change;
     double current_time = 0., old_dt = 0.;
     unsigned int n_steps = 0; ///< accepted since the start, or since the mesh began to count

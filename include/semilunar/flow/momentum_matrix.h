@@ -29,6 +29,8 @@ namespace semilunar::flow
     void find_places();
     void add_batch(unsigned int batch, const Lanes *cell_matrix);
     void add_entry(const CellLane &cell, unsigned int i, unsigned int j, double entry);
+    /// Entries [node][node] of a cell.
+    void add_cell(const CellLane &cell, const double *entries);
     float *find(unsigned int row, unsigned int column);
     void eliminate(const VelocityConstraints<dim> &constraints);
 
