@@ -15,6 +15,9 @@ namespace semilunar::shell
     /// An arc that needs more than these is too long.
     constexpr unsigned int most_corrections = 15;
     constexpr double smallest_scale = 0.5, largest_scale = 1.5;
+    /// A step may turn the path by this cosine at most; where it turns more, several shorter steps
+    /// tell a bend from a way back. Arcs are not cut further than this part of the first for it.
+    constexpr double sharpest_turn = 0.5, smallest_arc_of_turn = 0.01;
     /// The arc may shrink to this part of the first one.
     constexpr double smallest_arc = 1e-6;
 
@@ -127,6 +130,11 @@ namespace semilunar::shell
         return change * tangent > 0. ? root_1 : root_2;
       }
     };
+
+    bool turns_sharply(const Vector &last_change, const Vector &change)
+    {
+      return last_change * change < sharpest_turn * last_change.l2_norm() * change.l2_norm();
+    }
   } // namespace
 
   unsigned int follow_path(NonlinearSystem &system, Vector &u,
@@ -144,7 +152,8 @@ namespace semilunar::shell
       double residual = 0., new_load;
       unsigned int corrections = 0;
       while (!std::isfinite(
-          new_load = path.step(u, load, arc, last_change, change, residual, corrections)))
+                 new_load = path.step(u, load, arc, last_change, change, residual, corrections)) ||
+             (arc > smallest_arc_of_turn * first_arc && turns_sharply(last_change, change)))
       {
         arc *= smallest_scale;
         if (arc < smallest_arc * first_arc)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/shell/equilibrium.h>
 
 #include <cmath>
@@ -66,6 +67,9 @@ namespace semilunar::shell
         load_norm(external_norm(surface, points, pressure, dead_forces, edge_moments)),
         points(points), timers(timers)
   {
+    if (!std::isfinite(load_norm))
+      throw InputError("Loads", "", "the norm of the forces is beyond all numbers",
+                       "give smaller loads, or choose larger units");
   }
 
   ControlVectors Equilibrium::positions(const Vector &u, const double load) const

@@ -24,6 +24,7 @@ namespace semilunar::shell
     /// @param contact     may be null
     /// @param timers      get the phases "assembly", "contact" and "linear solver"
     /// @param edge_moments at load factor one; may be null
+    /// @throws InputError for loads whose norm is not finite
     Equilibrium(const spline::Surface &surface, const QuadraturePoints &points,
                 const Equations &equations, const Assembly &assembly, double pressure,
                 const ControlVectors &dead_forces, Contact *contact, Timers &timers,
