@@ -9,6 +9,9 @@ CASES = [
     ("Pinched cylinder with diaphragms", "pinched-cylinder", "load_uy", -1.8248e-5),
     ("Pinched hemisphere, hole of 18 degrees", "pinched-hemisphere", "inward_uy", -0.0935),
     ("Pinched hemisphere, closed", "pinched-hemisphere-closed", "inward_uy", -0.0924),
+    ("Square plate, simply supported", "plate-simply-supported", "centre_uz", 0.004062352661),
+    ("Square plate, clamped", "plate-clamped", "centre_uz", 0.001265319088),
+    ("Circular plate, clamped", "plate-circular", "centre_uz", 0.015625),
 ]
 MESHES = (4, 8, 16, 32)
 DEGREES = (2, 3, 4)

@@ -11,18 +11,24 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCENES = ROOT / "prm" / "benchmarks" / "shell"
+HARD = ROOT / "prm" / "hard" / "shell"
+RESULTS = ROOT / "doc" / "results"
 
 
 class Run:
     """Results of a finished run."""
 
-    def __init__(self, summary, rows):
+    def __init__(self, summary, rows, deviations):
         self.quantities = {name: q["value"] for name, q in summary["quantities"].items()}
         self.phases = summary["phases"]
         self.iterations = summary["cost"]["newton_iterations"]
         self.unknowns = summary["cost"]["unknowns"]
         self.version = summary["version"]
         self.rows = rows  # of timeseries.csv, by the names of the columns without units
+        self.deviations = deviations  # of deviation.csv, the quantity among them
+        self.references = {name: q["reference"] for name, q in summary["quantities"].items()
+                           if q.get("reference") is not None}
+        self.cpu = summary["cost"].get("cpu_s", math.nan)
 
 
 class Program:
@@ -31,10 +37,10 @@ class Program:
     def __init__(self, path):
         self.path = path
 
-    def run(self, scene, may_give_up=False, **entries):
-        """Run a scene of SCENES. Entries: Section__Entry_name="value", a space for each underscore."""
+    def run(self, scene, may_give_up=False, scenes=SCENES, **entries):
+        """Run a scene of the folder. Entries: Section__Entry_name="value", a space for each underscore."""
         with tempfile.TemporaryDirectory() as folder:
-            command = [self.path, str(SCENES / f"{scene}.prm"), "--output", folder, "--quiet"]
+            command = [self.path, str(scenes / f"{scene}.prm"), "--output", folder, "--quiet"]
             for name, value in entries.items():
                 command += ["--set", f"{name.replace('__', '/').replace('_', ' ')}={value}"]
             finished = subprocess.run(command, stderr=subprocess.PIPE, text=True)
@@ -45,7 +51,8 @@ class Program:
             empty = {"quantities": {}, "phases": {}, "version": "",
                      "cost": {"newton_iterations": math.nan, "unknowns": 0}}
             return Run(json.loads(summary.read_text()) if summary.exists() else empty,
-                       read_rows(Path(folder) / "timeseries.csv"))
+                       read_rows(Path(folder) / "timeseries.csv"),
+                       read_deviations(Path(folder) / "deviation.csv"))
 
 
 def read_rows(path):
@@ -53,6 +60,14 @@ def read_rows(path):
         reader = csv.reader(file)
         names = [name.split(" [")[0] for name in next(reader)]
         return [dict(zip(names, map(float, row))) for row in reader]
+
+
+def read_deviations(path):
+    if not path.exists():
+        return []
+    with open(path) as file:
+        return [{name: text if name == "quantity" else float(text) for name, text in row.items()}
+                for row in csv.DictReader(file)]
 
 
 def table(header, rows):
@@ -83,4 +98,5 @@ def parse_arguments(description):
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("program", help="path of the semilunar program")
     parser.add_argument("--iga", type=Path, help="folder of .iga files to compare with")
+    parser.add_argument("--quick", action="store_true", help="leave out what takes minutes")
     return parser.parse_args()
