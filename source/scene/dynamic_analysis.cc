@@ -5,6 +5,7 @@
 #include <semilunar/scene/dynamic_analysis.h>
 #include <semilunar/scene/probes.h>
 #include <semilunar/scene/shell_output.h>
+#include <semilunar/scene/surface_report.h>
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/patterns.h>
@@ -350,7 +351,10 @@ namespace semilunar::scene
     const Probes points(probes, model.surface, "Output/Probes");
     report_size(model, context.log);
     if (context.dry_run)
+    {
+      print(report(model.surface), context.log);
       return;
+    }
     Run run(*this, model, load_factor, context, observer, points);
     try
     {

@@ -2,6 +2,7 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/first_rank.h>
 #include <semilunar/output/pvd.h>
+#include <semilunar/output/surface_stl.h>
 #include <semilunar/output/time_series.h>
 #include <semilunar/scene/geometry.h>
 #include <semilunar/scene/surface_report.h>
@@ -36,6 +37,7 @@ namespace semilunar::scene
         [&]()
         {
           spline::write_iga(surface, (context.folder / "surface.iga").string());
+          output::write_stl(surface, (context.folder / "surface.stl").string(), vtu.subdivisions);
           output::write_surface_vtu((context.folder / "surface.vtu").string(), surface,
                                     spline::positions(surface), {}, vtu, 0.);
           output::PvdCollection((context.folder / "surface.pvd").string()).add(0., "surface.vtu");

@@ -6,6 +6,7 @@
 #include <semilunar/scene/probes.h>
 #include <semilunar/scene/shell_output.h>
 #include <semilunar/scene/static_analysis.h>
+#include <semilunar/scene/surface_report.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +115,10 @@ namespace semilunar::scene
     context.results.unknowns = model.equations.n_equations();
     shell::Equilibrium::Vector u(model.equations.n_equations());
     if (context.dry_run)
+    {
+      print(report(model.surface), context.log);
       return model.equilibrium.positions(u, 0.);
+    }
 
     output::TimeSeries series(context.folder, columns(points));
     ShellOutput files(context.folder, model, vtu);

@@ -104,15 +104,32 @@ namespace semilunar::valve
 
     void add_layout(Design &d, ParameterHandler &prm)
     {
-      const std::map<std::string, LeafletLayout> layouts = {{"uniform", LeafletLayout::uniform},
-                                                            {"T-spline", LeafletLayout::t_spline}};
-      prm.declare_entry(
-          "Layout", "uniform", Patterns::Selection("uniform|T-spline"),
-          "Arrangement of a leaflet's elements: a grid of Elements along x Elements "
-          "across, or a coarser grid that is refined where section T-spline says. The "
-          "surface is the same");
+      const std::map<std::string, LeafletLayout> layouts = {
+          {"uniform", LeafletLayout::uniform},
+          {"T-spline", LeafletLayout::t_spline},
+          {"unstructured", LeafletLayout::unstructured}};
+      prm.declare_entry("Layout", "uniform", Patterns::Selection("uniform|T-spline|unstructured"),
+                        "Arrangement of a leaflet's elements: a grid of Elements along x Elements "
+                        "across, a coarser grid that is refined where section T-spline says, or "
+                        "layers along the attachment edge with two extraordinary points (section "
+                        "Unstructured). The surface is the same, but for the last one, whose edge "
+                        "is rounded at the post feet");
       prm.add_action("Layout",
                      [&d, layouts](const std::string &name) { d.layout = layouts.at(name); });
+    }
+
+    void add_unstructured_layout(UnstructuredLayout &layout, ParameterHandler &prm)
+    {
+      prm.enter_subsection("Unstructured");
+      prm.add_parameter("Core elements along", layout.n_core_along,
+                        "Elements of the core from side to side, even, >= 4", Patterns::Integer(4));
+      prm.add_parameter("Core elements across", layout.n_core_across,
+                        "Elements of the core from below up to the free edge, >= 2",
+                        Patterns::Integer(2));
+      prm.add_parameter("Layers", layout.n_layers,
+                        "Elements between the core and the attachment edge, >= 2",
+                        Patterns::Integer(2));
+      prm.leave_subsection();
     }
 
     void add_stent_parameters(Design &d, ParameterHandler &prm)
@@ -210,6 +227,17 @@ namespace semilunar::valve
               "not an angle", "choose degrees from the x axis");
     }
 
+    void check_unstructured_layout(const UnstructuredLayout &layout, const Requirements &require)
+    {
+      require(layout.n_core_along >= 4 && layout.n_core_along % 2 == 0,
+              "Unstructured/Core elements along", layout.n_core_along,
+              "the mesh would not be symmetric or too coarse", "choose an even number from 4 on");
+      require(layout.n_core_across >= 2, "Unstructured/Core elements across", layout.n_core_across,
+              "an extraordinary point would lie next to the free edge", "choose at least 2");
+      require(layout.n_layers >= 2, "Unstructured/Layers", layout.n_layers,
+              "an extraordinary point would lie next to the attachment edge", "choose at least 2");
+    }
+
     void check_free_edge_and_belly(const Design &d, const Requirements &require)
     {
       require(d.free_edge_height > d.nadir_height && std::isfinite(d.free_edge_height),
@@ -262,6 +290,7 @@ namespace semilunar::valve
         ">= 1",
         Patterns::Integer(1));
     zones.add_parameters(prm);
+    add_unstructured_layout(unstructured, prm);
     add_stent_parameters(*this, prm);
   }
 
@@ -275,6 +304,7 @@ namespace semilunar::valve
     check_positive(n_elements_across, "Elements across", require);
 
     zones.check(section + "/T-spline");
+    check_unstructured_layout(unstructured, require);
 
     require(stent.ring_outer_radius > radius && std::isfinite(stent.ring_outer_radius),
             "Stent/Suture ring outer radius", stent.ring_outer_radius,

@@ -2,6 +2,7 @@
 #include <semilunar/valve/boundary_curves.h>
 #include <semilunar/valve/deployment.h>
 #include <semilunar/valve/leaflet_t_spline.h>
+#include <semilunar/valve/leaflet_unstructured.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/refine.h>
 #include <semilunar/valve/turn.h>
@@ -124,8 +125,14 @@ namespace semilunar::valve
     /// The same with the sets of leaflets().
     Surface named_leaflet(const Design &design)
     {
-      Surface surface = circular_leaflet(design);
-      surface.sets = leaflet_sets(surface);
+      Surface surface;
+      if (design.layout == LeafletLayout::unstructured)
+        surface = leaflet_unstructured(design);
+      else
+      {
+        surface = circular_leaflet(design);
+        surface.sets = leaflet_sets(surface);
+      }
       name_leaflet(surface, 1);
       return surface;
     }

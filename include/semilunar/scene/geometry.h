@@ -8,7 +8,8 @@
 
 namespace semilunar::scene
 {
-  /// Builds a surface, checks it, reports on it and writes it as surface.iga and surface.vtu.
+  /// Builds a surface, checks it, reports on it and writes it as surface.iga, surface.vtu
+  /// and surface.stl.
   class Geometry : public Scene
   {
   public:

@@ -16,8 +16,17 @@ namespace semilunar::valve
   /// How the elements of a leaflet are arranged.
   enum class LeafletLayout
   {
-    uniform, ///< one grid of elements of nearly equal width
-    t_spline ///< a coarse grid, locally refined (section T-spline)
+    uniform,     ///< one grid of elements of nearly equal width
+    t_spline,    ///< a coarse grid, locally refined (section T-spline)
+    unstructured ///< with extraordinary points (section Unstructured)
+  };
+
+  /// The unstructured layout: layers along the attachment edge around a core.
+  struct UnstructuredLayout
+  {
+    unsigned int n_core_along = 14;  ///< from side to side
+    unsigned int n_core_across = 12; ///< up to the free edge
+    unsigned int n_layers = 8;
   };
 
   /// The parametric design of a stented valve with equal leaflets (theory: doc/theory/valve.md).
@@ -44,6 +53,7 @@ namespace semilunar::valve
     unsigned int n_elements_along = 22;  ///< from commissure to commissure, uniform layout
     unsigned int n_elements_across = 22; ///< from attachment to free edge, uniform layout
     RefinementZones zones;               ///< T-spline layout
+    UnstructuredLayout unstructured;
 
     struct
     {
