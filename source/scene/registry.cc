@@ -8,6 +8,7 @@
 #include <semilunar/scene/shell_dynamics.h>
 #include <semilunar/scene/shell_statics.h>
 #include <semilunar/scene/valve_dynamics.h>
+#include <semilunar/scene/valve_fsi.h>
 #include <semilunar/scene/valve_statics.h>
 
 #include <algorithm>
@@ -33,6 +34,9 @@ namespace semilunar::scene
         {"shell statics", kind<ShellStatics>("any shell under static loads")},
         {"valve dynamics", kind<ValveDynamics>("the leaflets of a valve design, opening and "
                                                "closing under a transvalvular pressure")},
+        {"valve fsi",
+         kind<ValveFsi>("leaflets, stent and blood in an artery with rigid walls, moving "
+                        "each other")},
         {"valve statics",
          kind<ValveStatics>(
              "the leaflets of a valve design under static pressure, touching each other")},
