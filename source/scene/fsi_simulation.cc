@@ -163,6 +163,7 @@ namespace semilunar::scene
                                                       prm.boundaries.walls<3>(*mesh));
     write_shell();
     write_flow();
+    next_row = prm.series_interval;
     double dt = prm.step;
     try
     {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 namespace semilunar::scene
 {
@@ -65,7 +66,17 @@ namespace semilunar::scene
     if (command_line.n_levels > 0)
       run_levels(input, command_line.n_levels, folder, command_line.dry_run, log);
     else
-      run_once(input, folder, command_line.dry_run, log, command_line.restart);
+    {
+      const output::LevelRun run =
+          run_once(input, folder, command_line.dry_run, log, command_line.restart);
+      if (!command_line.dry_run)
+        for (const Quantity &quantity : run.results.quantities)
+        {
+          std::ostringstream line;
+          line << "  " << quantity.name << " = " << quantity.value << " " << quantity.unit;
+          log.line(line.str());
+        }
+    }
     log.line(command_line.dry_run ? "dry run: the scene can be built; nothing was written"
                                   : "done in " + duration(timers.cost().wall_seconds) +
                                         ", results in " + folder.string());
