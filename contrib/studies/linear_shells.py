@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The linear shell obstacle course: error against equations and seconds, for degrees and meshes."""
-from study import Program, limit, order, parse_arguments, table
+from plot import write_svg
+from study import RESULTS, Program, limit, order, parse_arguments, table
 
 # name, scene, quantity, reference; where the references come from is said in the scene files
 CASES = [
@@ -34,6 +35,19 @@ def seconds(run):
     return [f"{run.phases[name]:.3f}" for name in ("set-up", "assembly", "linear solver")]
 
 
+def draw(name, scene, quantity, runs, end):
+    """Errors against equations and against seconds of assembly and solution."""
+    for what, label, cost in (
+            ("equations", "equations", lambda run: run.unknowns),
+            ("seconds", "seconds of assembly and linear solver",
+             lambda run: run.phases["assembly"] + run.phases["linear solver"])):
+        series = []
+        for degree, of_degree in runs.items():
+            points = [(cost(run), abs(run.quantities[quantity] / end - 1)) for run in of_degree]
+            series.append((f"degree {degree}", [p for p in points if p[1] > 1e-9], False))
+        write_svg(RESULTS / f"{scene}-{what}.svg", name, label, "relative error", series, True)
+
+
 def converge(program, name, scene, quantity, reference):
     print(f"### {name}: `{quantity}`, reference {reference:g}\n")
     runs = {degree: [program.run(scene, Surface__Degree=degree, Surface__Elements=f"{n},{n}")
@@ -41,6 +55,7 @@ def converge(program, name, scene, quantity, reference):
     finest = [run.quantities[quantity] for run in runs[DEGREES[-1]][-3:]]
     end = limit(*finest)
     print(f"Limit of degree {DEGREES[-1]}: {end:.7g}\n")
+    draw(name, scene, quantity, runs, end)
     rows = []
     for degree in DEGREES:
         errors = [run.quantities[quantity] - end for run in runs[degree]]
