@@ -42,6 +42,20 @@ namespace semilunar::scene
       return all;
     }
 
+    /// The curve of a file, if there is one, whose load factors the solver is to end steps at.
+    std::optional<ReferenceCurve> read_curve(const std::string &file,
+                                             const std::vector<std::string> &names,
+                                             shell::StaticSolverParameters &solver)
+    {
+      if (file.empty())
+        return {};
+      const ReferenceCurve curve(file);
+      curve.check(names);
+      const auto factors = curve.load_factors();
+      solver.load_factors.insert(solver.load_factors.end(), factors.begin(), factors.end());
+      return curve;
+    }
+
     std::string describe(const shell::LoadStep &step)
     {
       std::ostringstream text;
@@ -103,14 +117,7 @@ namespace semilunar::scene
     const DisplacementLimits limits(stop_at, points.names());
     LoadPath path{points.names(), {}, {}};
     shell::StaticSolverParameters solver = this->solver;
-    std::optional<ReferenceCurve> curve;
-    if (!reference_curve.empty())
-    {
-      curve.emplace(reference_curve);
-      curve->check(path.names);
-      const auto factors = curve->load_factors();
-      solver.load_factors.insert(solver.load_factors.end(), factors.begin(), factors.end());
-    }
+    const std::optional<ReferenceCurve> curve = read_curve(reference_curve, path.names, solver);
     report_size(model, context.log);
     context.results.unknowns = model.equations.n_equations();
     shell::Equilibrium::Vector u(model.equations.n_equations());

@@ -46,6 +46,25 @@ namespace semilunar::shell
                normal[i] * along_tangent[alpha] * along_tangent[lambda] * conormal[j];
       }
     };
+
+    /// The derivative of minus the force of a moment, (3n) x (3n), row by row, index 3 a + i.
+    void tangent(const EdgeFrame &frame, const std::array<std::vector<double>, 2> &basis,
+                 const double moment, std::vector<double> &block)
+    {
+      const unsigned int n = basis[0].size();
+      block.assign(9 * n * n, 0.);
+      for (unsigned int alpha = 0; alpha < 2; ++alpha)
+        for (unsigned int lambda = 0; lambda < 2; ++lambda)
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+            {
+              const double factor = -moment * frame.second_derivative(alpha, i, lambda, j);
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int b = 0; b < n; ++b)
+                  block[(3 * a + i) * 3 * n + 3 * b + j] +=
+                      factor * basis[alpha][a] * basis[lambda][b];
+            }
+    }
   } // namespace
 
   EdgeMoments::EdgeMoments(const spline::Surface &surface, const LoadParameters &parameters)
@@ -109,18 +128,7 @@ namespace semilunar::shell
                                      frame.normal; // (L1)
       if (!add_block)
         continue;
-      block.assign(9 * n * n, 0.);
-      for (unsigned int alpha = 0; alpha < 2; ++alpha)
-        for (unsigned int lambda = 0; lambda < 2; ++lambda)
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-            {
-              const double factor = -moment * frame.second_derivative(alpha, i, lambda, j);
-              for (unsigned int a = 0; a < n; ++a)
-                for (unsigned int b = 0; b < n; ++b)
-                  block[(3 * a + i) * 3 * n + 3 * b + j] +=
-                      factor * point.basis[alpha][a] * point.basis[lambda][b];
-            }
+      tangent(frame, point.basis, moment, block);
       add_block(control_points, block.data());
     }
   }
