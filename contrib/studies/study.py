@@ -23,6 +23,7 @@ class Run:
         self.phases = summary["phases"]
         self.iterations = summary["cost"]["newton_iterations"]
         self.unknowns = summary["cost"]["unknowns"]
+        self.cpu = summary["cost"].get("cpu_s", math.nan)
         self.version = summary["version"]
         self.rows = rows  # of timeseries.csv, by the names of the columns without units
         self.deviations = deviations  # of deviation.csv, the quantity among them

@@ -2,13 +2,18 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/parameters.h>
 #include <semilunar/scene/surface_source.h>
+#include <semilunar/shell/location.h>
 #include <semilunar/spline/iga_file.h>
 #include <semilunar/spline/primitives.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/stent.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/utilities.h>
+#include <deal.II/physics/transformations.h>
+
+#include <regex>
 
 namespace semilunar::scene
 {
@@ -29,6 +34,38 @@ namespace semilunar::scene
     {
       for (spline::ControlPoint &point : surface.control_points)
         point.position *= factor;
+    }
+
+    /// "turn x 90 (1, 0, 0)": a rotation about an axis through the origin, and a shift after it.
+    spline::Surface copy(spline::Surface surface, const std::string &description)
+    {
+      const char *const entry = "Surface/Copies";
+      static const std::regex form(R"((?:turn\s+([xyz])\s+(\S+)\s*)?(\(.*\)))");
+      std::smatch match;
+      if (!std::regex_match(description, match, form))
+        throw InputError(entry, description, "this is not a copy",
+                         "write (x, y, z), or turn x DEGREES (x, y, z)");
+      dealii::Tensor<2, 3> rotation = dealii::unit_symmetric_tensor<3, double>();
+      if (match[1].matched)
+      {
+        spline::Point<3> axis;
+        axis[match[1].str()[0] - 'x'] = 1.;
+        rotation = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+            axis, degrees * shell::parse_number(match[2], entry));
+      }
+      const auto shift = shell::parse_vector(match[3], entry);
+      for (spline::ControlPoint &point : surface.control_points)
+        point.position = spline::Point<3>(rotation * point.position + shift);
+      return surface;
+    }
+
+    void add_copies(const std::string &list, spline::Surface &surface)
+    {
+      const double merge_nothing = -1.;
+      const spline::Surface original = surface;
+      for (const std::string &item : dealii::Utilities::split_string_list(list, ';'))
+        if (!item.empty())
+          spline::append(surface, copy(original, item), merge_nothing);
     }
 
     /// The mistakes that @p build finds, with the entry that causes them.
@@ -59,6 +96,7 @@ namespace semilunar::scene
       surface = parts_of_valve();
     else
       surface = patch();
+    add_copies(copies, surface);
     spline::check(surface, "Surface");
     return surface;
   }

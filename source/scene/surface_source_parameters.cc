@@ -53,6 +53,10 @@ namespace semilunar::scene
                       "The .iga file. Its name is relative to the scene file, or to the current "
                       "directory if given by --set.",
                       Patterns::FileName());
+    prm.add_parameter("Copies", copies,
+                      "Further pieces of the same shape, separated by semicolons: '(x, y, z)' is "
+                      "one that is shifted by this, 'turn z 90 (x, y, z)' one that is turned about "
+                      "an axis through the origin [degree] before.");
     add_quadrilateral(prm, corners);
 
     prm.enter_subsection("Cylinder");

@@ -25,6 +25,14 @@ namespace semilunar::scene
       return interpolate(surface.elements[point.element], basis, x)[spline::value];
     }
 
+    double largest_of(const Areas &areas)
+    {
+      double largest = 0.;
+      for (const auto &sample : areas)
+        largest = std::max(largest, sample.second);
+      return largest;
+    }
+
     /// The first time from sample @p begin on at which the area passes a level, upwards or
     /// downwards.
     double first_passage(const Areas &areas, const std::size_t begin, const double level,
@@ -48,10 +56,8 @@ namespace semilunar::scene
   ValveTimes valve_times(const Areas &areas)
   {
     ValveTimes times{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
-    double largest = 0.;
-    for (const auto &sample : areas)
-      largest = std::max(largest, sample.second);
-    if (largest == 0.)
+    const double largest = largest_of(areas);
+    if (!(largest > 0.))
       return times;
     const double low = ValveTimes::small_share * largest, high = ValveTimes::large_share * largest;
     times.opening_begins = first_passage(areas, 0, low, true);
@@ -114,7 +120,6 @@ namespace semilunar::scene
   {
     const double area = valve::orifice_area(whole, model.symmetry.whole(x), source.design.radius,
                                             model.section->thickness());
-    areas.emplace_back(time, area);
     largest_strain_seen = std::max({largest_strain_seen, largest_strain(model, x, 1).value,
                                     largest_strain(model, x, -1).value});
     write_curve(time, x, profile, profile_file);
@@ -125,6 +130,8 @@ namespace semilunar::scene
       const std::vector<double> parts = model.contact->contact_areas();
       coaptation = std::accumulate(parts.begin(), parts.end(), 0.) / parts.size();
     }
+    areas.emplace_back(time, area);
+    coaptations.emplace_back(time, coaptation);
     const auto tip = place(model.surface, x, profile.back());
     return {area, coaptation, std::hypot(tip[0], tip[1]), tip[2]};
   }
@@ -144,7 +151,7 @@ namespace semilunar::scene
   void ValveMotion::serialize(Archive &archive, const unsigned int /*version*/)
   {
     std::uintmax_t sizes[] = {profile_file.size(), edge_file.size()};
-    archive &areas &largest_strain_seen &sizes[0] & sizes[1];
+    archive &areas &coaptations &largest_strain_seen &sizes[0] & sizes[1];
     if (Archive::is_loading::value)
     {
       profile_file.go_on_at(sizes[0]);
@@ -160,18 +167,20 @@ namespace semilunar::scene
   void ValveMotion::add_quantities(RunResults &results) const
   {
     const ValveTimes times = valve_times(areas);
-    double largest = 0.;
-    for (const auto &sample : areas)
-      largest = std::max(largest, sample.second);
-    results.quantities.insert(results.quantities.end(),
-                              {{"largest_orifice_area", largest, "cm^2"},
-                               {"final_orifice_area", areas.back().second, "cm^2"},
-                               {"opening_begins", times.opening_begins, "s"},
-                               {"fully_open", times.fully_open, "s"},
-                               {"closing_begins", times.closing_begins, "s"},
-                               {"closed", times.closed, "s"},
-                               {"opening_time", times.fully_open - times.opening_begins, "s"},
-                               {"closing_time", times.closed - times.closing_begins, "s"},
-                               {"max_mipe_over_time", largest_strain_seen, "-"}});
+    const double largest = largest_of(areas);
+    const double complete = ValveTimes::large_share * largest_of(coaptations);
+    results.quantities.insert(
+        results.quantities.end(),
+        {{"largest_orifice_area", largest, "cm^2"},
+         {"final_orifice_area", areas.back().second, "cm^2"},
+         {"opening_begins", times.opening_begins, "s"},
+         {"fully_open", times.fully_open, "s"},
+         {"closing_begins", times.closing_begins, "s"},
+         {"closed", times.closed, "s"},
+         {"coaptation_complete",
+          complete > 0. ? first_passage(coaptations, 0, complete, true) : std::nan(""), "s"},
+         {"opening_time", times.fully_open - times.opening_begins, "s"},
+         {"closing_time", times.closed - times.closing_begins, "s"},
+         {"max_mipe_over_time", largest_strain_seen, "-"}});
   }
 } // namespace semilunar::scene

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace semilunar::shell
 {
@@ -118,9 +119,40 @@ namespace semilunar::shell
     // past an edge, behind the remembered side: the surface is not in the way
     const bool is_blocked = foot.on_face() || !foot.side_is_plain() || foot.side() == side;
     const double gap = directed.value - (is_blocked ? contact_distance(q, neighbor.part) : 0.);
-    found.near.push_back({q, neighbor.point, neighbor.image, directed.direction, gap,
-                          is_blocked ? law.value(-gap) : 0.});
-    found.details.push_back({neighbor.part, side, foot});
+    double pressure = 0., slope = 0.;
+    if (is_blocked && share_of_step == 1.)
+    {
+      pressure = law.value(-gap);
+      slope = law.slope(-gap);
+    }
+    else if (is_blocked)
+    {
+      const double start = start_gap(q, neighbor.part);
+      const double end = start + (gap - start) / share_of_step;
+      pressure = law.mean(-start, -end);
+      slope = law.mean_slope(-start, -end) / share_of_step;
+    }
+    found.near.push_back({q, neighbor.point, neighbor.image, directed.direction, gap, pressure});
+    found.details.push_back({neighbor.part, side, foot, slope});
+  }
+
+  double Contact::start_gap(const unsigned int q, const unsigned int part) const
+  {
+    const auto before = [](const StartGap &a, const std::pair<unsigned int, unsigned int> &b)
+    { return std::tie(a.q, a.part) < std::tie(b.first, b.second); };
+    const auto found =
+        std::lower_bound(start_gaps.begin(), start_gaps.end(), std::make_pair(q, part), before);
+    if (found != start_gaps.end() && found->q == q && found->part == part)
+      return found->gap;
+    return reach_distance - contact_distance(q, part); // at least
+  }
+
+  void Contact::set_share_of_step(const double share)
+  {
+    if (share == share_of_step)
+      return;
+    share_of_step = share;
+    found_at.clear();
   }
 
   void Contact::find_partners()
@@ -199,6 +231,9 @@ namespace semilunar::shell
   void Contact::accept()
   {
     found_at.clear(); // with other sides remembered, the same positions may mean other contacts
+    start_gaps.clear();
+    for (unsigned int i = 0; i < near.size(); ++i)
+      start_gaps.push_back({near[i].q, details[i].part, near[i].gap});
     std::vector<SideMemory::Entry> entries;
     for (unsigned int i = 0; i < near.size(); ++i)
     {

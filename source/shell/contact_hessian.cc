@@ -69,7 +69,8 @@ namespace semilunar::shell
     for (auto &row : form)
       for (auto &block : row)
         block *= -half_weight * point.pressure;
-    form[0][0] += half_weight * law.slope(-point.gap) * outer_product(point.normal, point.normal);
+    form[0][0] +=
+        half_weight * details[contact_point].slope * outer_product(point.normal, point.normal);
     return form;
   }
 

@@ -81,6 +81,21 @@ namespace semilunar::shell
     return x;
   }
 
+  void Equilibrium::begin_step(const ControlVectors &start, const double share,
+                               const bool conserve_energy)
+  {
+    start_of_step = conserve_energy ? start : ControlVectors();
+    if (contact != nullptr)
+      contact->set_share_of_step(share);
+  }
+
+  void Equilibrium::end_step()
+  {
+    start_of_step.clear();
+    if (contact != nullptr)
+      contact->set_share_of_step(1.);
+  }
+
   ControlVectors Equilibrium::internal_minus_external(const ControlVectors &x, const double load)
   {
     const Timers::Scope timer(timers, "assembly");

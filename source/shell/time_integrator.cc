@@ -144,6 +144,8 @@ namespace semilunar::shell
       equilibrium.forget_history();
     }
     double stop = std::min(next_stop, parameters.end_time);
+    if (parameters.end_time - stop < rounding * parameters.step)
+      stop = parameters.end_time; // no step that is nothing but rounding
     if (parameters.adaptive)
       stop = std::min(stop, load_factor.next_corner(now.time * (1. + rounding)));
     TimeStepReport report{steps + 1, 0., 0, 0, 0., std::nan("")};

@@ -33,8 +33,8 @@ namespace semilunar::shell
     start = &motion;
     dt = length;
     load_of_step = load_factor.value(motion.time + (1. - method.alpha_f) * dt);
-    equilibrium.set_start_of_step(method.conserves_energy() ? equilibrium.positions(start->u, 0.)
-                                                            : ControlVectors());
+    equilibrium.begin_step(equilibrium.positions(start->u, load_of_step), 1. - method.alpha_f,
+                           method.conserves_energy());
   }
 
   Vector TimeStep::acceleration(const Vector &w) const

@@ -34,7 +34,7 @@ namespace semilunar::scene
     unsigned int degree = 3;
     std::array<unsigned int, 2> n_elements{{8, 8}};
     double scale = 1.;
-    std::string file;
+    std::string file, copies;
 
     std::vector<std::vector<double>> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     double cylinder_radius = 1.;

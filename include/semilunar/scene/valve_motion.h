@@ -20,7 +20,8 @@ namespace semilunar::scene
   /// @param areas pairs of time and orifice area, by ascending time
   ValveTimes valve_times(const std::vector<std::pair<double, double>> &areas);
 
-  /// Watches a valve: orifice, coaptation, and the shape of the first leaflet, whose profile in its
+  /// Watches a valve: orifice, coaptation (complete when the area in contact first reaches the
+  /// large share of its largest value), and the shape of the first leaflet, whose profile in its
   /// symmetry plane goes to profile.csv and whose free edge to free_edge.csv.
   class ValveMotion : public MotionObserver
   {
@@ -42,7 +43,7 @@ namespace semilunar::scene
     const spline::Surface whole; // all leaflets
     std::vector<spline::SurfacePoint> profile, edge;
     output::TimeSeries profile_file, edge_file;
-    std::vector<std::pair<double, double>> areas;
+    std::vector<std::pair<double, double>> areas, coaptations;
     double largest_strain_seen = 0.;
 
     std::vector<spline::SurfacePoint> points_along(unsigned int direction) const;

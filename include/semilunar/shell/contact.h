@@ -82,6 +82,11 @@ namespace semilunar::shell
                                         const std::vector<double> &matrix)>;
     void add_hessian(const AddBlock &add) const;
 
+    /// From now on pressures are means over a time step, (D18): the state of an update is that at
+    /// this share of the step, whose start is the last accepted state. 1 ends that: pressures are
+    /// those of the state again. Energies are of the state only then.
+    void set_share_of_step(double share);
+
     /// The state of the last update is accepted: remember on which side of its neighbors each
     /// point lies.
     void accept();
@@ -90,7 +95,7 @@ namespace semilunar::shell
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &memory;
+      archive &memory &start_gaps;
       found_at.clear();
     }
 
@@ -120,6 +125,18 @@ namespace semilunar::shell
       unsigned int part;
       int side;
       ContactFoot foot;
+      double slope; // d pressure / d penetration
+    };
+    struct StartGap
+    {
+      unsigned int q, part;
+      double gap;
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &q &part &gap;
+      }
     };
     struct Found;
     double contact_distance(unsigned int q, unsigned int part) const;
@@ -146,6 +163,9 @@ namespace semilunar::shell
     const double reach_distance;
     ContactSearch search;
     SideMemory memory;
+    std::vector<StartGap> start_gaps; // of the last accepted state, by q and part
+    double share_of_step = 1.;
+    double start_gap(unsigned int q, unsigned int part) const;
     std::map<std::pair<unsigned int, unsigned int>, double>
         undeformed_distances; // of points (q, part) closer than the contact distance
 

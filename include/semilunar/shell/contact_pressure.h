@@ -40,6 +40,31 @@ namespace semilunar::shell
       return stiffness *
              (penetration * (penetration - smoothing) / 2. + smoothing * smoothing / 6.);
     }
+
+    /// Mean of the pressure while the penetration goes from one value to another, (D18) of
+    /// doc/theory/dynamics.md: times the way it is exactly the change of energy.
+    double mean(const double from, const double to) const
+    {
+      if (is_short(from, to)) // Simpson's rule: exact, and free of cancellation
+        return (value(from) + 4. * value(0.5 * (from + to)) + value(to)) / 6.;
+      return (energy(to) - energy(from)) / (to - from);
+    }
+
+    /// d mean / d to.
+    double mean_slope(const double from, const double to) const
+    {
+      if (is_short(from, to))
+        return (2. * slope(0.5 * (from + to)) + slope(to)) / 6.;
+      return (value(to) - mean(from, to)) / (to - from);
+    }
+
+  private:
+    bool is_short(const double from, const double to) const
+    {
+      constexpr double negligible = 1e-5;
+      const double way = to > from ? to - from : from - to;
+      return way <= negligible * (smoothing + (from < 0. ? -from : from));
+    }
   };
 } // namespace semilunar::shell
 

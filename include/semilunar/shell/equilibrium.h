@@ -43,9 +43,14 @@ namespace semilunar::shell
     double smallest_change() const override;
     void accept(const Vector &u, double load) override;
 
-    /// From now on, residuals have the internal forces of the energy-momentum method for a step
-    /// that starts from these positions and has u in its middle; with none, those of u itself.
-    void set_start_of_step(const ControlVectors &x) { start_of_step = x; }
+    /// From now on, residuals are those of a time step, of which u is the state at this share.
+    /// Contact pressures are means over the step.
+    /// @param conserve_energy whether the internal forces are those of the energy-momentum method,
+    /// for which u must be in the middle
+    /// @param start positions of the control points at the start
+    void begin_step(const ControlVectors &start, double share, bool conserve_energy);
+    /// Back to statics.
+    void end_step();
 
     /// Positions of the control points.
     ControlVectors positions(const Vector &u, double load) const;

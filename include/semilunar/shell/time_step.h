@@ -46,7 +46,7 @@ namespace semilunar::shell
     /// Begin a step. The motion must outlive it. Until finish(), the residuals of the equilibrium
     /// are those of the step.
     void begin(const Motion &start, double dt);
-    void finish() { equilibrium.set_start_of_step({}); }
+    void finish() { equilibrium.end_step(); }
     /// The motion at the end of the step from a solution w.
     Motion end(const Vector &w) const;
     /// The w that belongs to displacements at the end of the step.
