@@ -53,9 +53,11 @@ namespace semilunar::flow
   {
     forms->linearise({advecting, step.mesh_velocity, step.bdf.alpha[0], newton});
     for (const auto &[id, relation] : relations)
-      boundary.linearise_backflow(id,
-                                  prm.convective_form == "none" ? 0. : prm.backflow * prm.density,
-                                  advecting, step.mesh_velocity);
+    {
+      const double own = bc.all().at(id).backflow;
+      const double beta = prm.convective_form == "none" ? 0. : own < 0. ? prm.backflow : own;
+      boundary.linearise_backflow(id, beta * prm.density, advecting, step.mesh_velocity);
+    }
   }
 
   template <int dim>
@@ -71,6 +73,17 @@ namespace semilunar::flow
     for (const auto &[id, relation] : relations)
       result[id] = rates[i++];
     return result;
+  }
+
+  template <int dim>
+  double Equations<dim>::open_load(const Vector &velocity) const
+  {
+    const auto rates = open_flow_rates(velocity);
+    double load = 0.;
+    for (const auto &[id, relation] : relations)
+      load += (std::abs(relation.pressure) + std::abs(relation.resistance * rates.at(id))) *
+              boundary.part(id).normals.l2_norm();
+    return load;
   }
 
   template <int dim>

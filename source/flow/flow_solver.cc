@@ -20,21 +20,22 @@ namespace semilunar::flow
                               const dealii::Mapping<dim> &mapping,
                               const BoundaryConditions<dim> &conditions, Timers &timers)
       : prm((parameters.check(), parameters)), timers(timers), conditions(conditions),
-        triangulation(triangulation), space(triangulation, parameters.degree),
+        triangulation(triangulation), reference_mapping(mapping.clone()),
+        space(triangulation, parameters.degree), transfer(space),
         equations(space, prm, this->conditions), linear_solver(equations, prm, timers),
         moved_mapping(parameters.degree)
   {
-    make_nodes(mapping);
+    make_nodes();
     reinit_vectors();
     equations.reinit(nodes);
     linear_solver.reinit();
   }
 
   template <int dim>
-  void FlowSolver<dim>::make_nodes(const dealii::Mapping<dim> &mapping)
+  void FlowSolver<dim>::make_nodes()
   {
     const auto &element = space.velocity_dofs().get_fe();
-    dealii::FEValues<dim> values(mapping, element,
+    dealii::FEValues<dim> values(*reference_mapping, element,
                                  dealii::Quadrature<dim>(element.get_unit_support_points()),
                                  dealii::update_quadrature_points);
     std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
@@ -232,7 +233,8 @@ namespace semilunar::flow
     constexpr double rounding = 1e-12;
     const double floor = rounding * ((prm.density * bdf.alpha[0] + prm.viscosity / (h * h)) *
                                          old_state.velocity.l2_norm() * volume / n_nodes +
-                                     old_state.pressure.l2_norm() * std::pow(h, dim - 1));
+                                     old_state.pressure.l2_norm() * std::pow(h, dim - 1) +
+                                     equations.open_load(state.velocity));
     const double scale = current.residual;
     linear_target = std::max(prm.linear_tolerance * scale, floor);
     if (!iterate)
@@ -354,6 +356,107 @@ namespace semilunar::flow
       return dt;
     factor = std::clamp(factor, smallest_growth, largest_growth);
     return std::clamp(factor * dt, prm.min_dt, prm.max_dt);
+  }
+
+  template <int dim>
+  typename StateTransfer<dim>::State FlowSolver<dim>::transferred_state()
+  {
+    typename StateTransfer<dim>::State carried;
+    carried.velocities = {&state.velocity, &old_state.velocity};
+    carried.pressures = {&state.pressure, &old_state.pressure};
+    if (mesh_moves)
+      for (Vector *displacement : {&nodes, &old_nodes})
+        carried.velocities.push_back(displacement);
+    carried.at_points = equations.cells().accumulated_pressure();
+    return carried;
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::refine()
+  {
+    Assert(!in_step, dealii::ExcMessage("The mesh is refined between steps."));
+    Timers::Scope scope(timers, "flow: refinement");
+    // Displacements are carried over: new nodes then lie on the reference geometry's surfaces.
+    nodes -= reference_nodes;
+    old_nodes -= reference_nodes;
+    for (const Vector *displacement : {&nodes, &old_nodes})
+      space.make_readable_velocity(*displacement);
+    triangulation.prepare_coarsening_and_refinement();
+    transfer.prepare(transferred_state(), false);
+    triangulation.execute_coarsening_and_refinement();
+    space.distribute_dofs();
+    equations.cells().reinit(equations.cells().accumulated_pressure() != nullptr);
+    transfer.finish(transferred_state());
+    renew();
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::renew()
+  {
+    const Vector displacement = nodes, old_displacement = old_nodes;
+    const FlowVector current_state = state, previous_state = old_state;
+    make_nodes();
+    reinit_vectors();
+    if (mesh_moves)
+    {
+      nodes += displacement;
+      old_nodes += old_displacement;
+    }
+    space.make_readable_velocity(nodes);
+    space.make_readable_velocity(old_nodes);
+    state = current_state;
+    old_state = previous_state;
+    older_nodes = old_nodes;
+    older_state = old_state;
+    equations.reinit(nodes);
+    linear_solver.reinit();
+  }
+
+  template <int dim>
+  std::vector<double> FlowSolver<dim>::save_state()
+  {
+    Assert(!in_step, dealii::ExcMessage("The state is saved between steps."));
+    transfer.prepare(transferred_state(), true);
+    linear_solver.reinit();
+    std::vector<double> numbers = {current_time, old_dt, double(n_steps), double(mesh_moves),
+                                   double(equations.cells().accumulated_pressure() != nullptr)};
+    for (const auto &[id, condition] : conditions.all())
+      if (condition.pressure)
+        for (const double number : condition.pressure->state())
+          numbers.push_back(number);
+    return numbers;
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::load_state(const std::vector<double> &numbers)
+  {
+    current_time = numbers.at(0);
+    old_dt = numbers.at(1);
+    n_steps = static_cast<unsigned int>(numbers.at(2));
+    mesh_moves = numbers.at(3) != 0.;
+    unsigned int next = 5;
+    for (const auto &[id, condition] : conditions.all())
+      if (condition.pressure)
+      {
+        const unsigned int n = condition.pressure->state().size();
+        condition.pressure->set_state({numbers.begin() + next, numbers.begin() + next + n});
+        next += n;
+      }
+    space.distribute_dofs();
+    reinit_vectors();
+    equations.cells().reinit(numbers.at(4) != 0.);
+    transfer.load(transferred_state(), numbers.at(4) != 0.);
+    const Vector positions = nodes, old_positions = old_nodes;
+    make_nodes();
+    if (mesh_moves)
+    {
+      nodes = positions;
+      old_nodes = old_positions;
+    }
+    older_nodes = old_nodes;
+    older_state = old_state;
+    equations.reinit(nodes);
+    linear_solver.reinit();
   }
 
   template <int dim>

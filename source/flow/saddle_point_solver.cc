@@ -11,7 +11,7 @@ namespace semilunar::flow
   namespace
   {
     /// Directions that are kept before GMRES starts again.
-    constexpr unsigned int max_basis = 40;
+    constexpr unsigned int max_basis = 60;
 
     /// r += factor v
     void add(FlowVector &r, const double factor, const FlowVector &v)

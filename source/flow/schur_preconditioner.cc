@@ -35,6 +35,30 @@ namespace semilunar::flow
         }
     }
 
+    /// Owned nodes that hang.
+    std::vector<unsigned int> owned_hanging(const HangingNodes &hanging,
+                                            const dealii::Utilities::MPI::Partitioner &nodes)
+    {
+      std::vector<unsigned int> result;
+      for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
+        if (hanging.hangs(node))
+          result.push_back(node);
+      return result;
+    }
+
+    /// Calls visit(row, column) for entries, in empty rows, that give the empty columns of hanging
+    /// pressures diagonal entries in B D^-1 B^T: where a pressure hangs, so do more velocities.
+    template <int dim, class Visit>
+    void for_hanging_pressures(const Spaces<dim> &spaces, const Visit &visit)
+    {
+      const auto velocities = owned_hanging(spaces.velocity_hanging(), *spaces.nodes());
+      const auto pressures = owned_hanging(spaces.pressure_hanging(), *spaces.pressures());
+      AssertThrow(velocities.size() >= pressures.size(), dealii::ExcInternalError());
+      for (unsigned int i = 0; i < pressures.size(); ++i)
+        visit(dim * spaces.nodes()->local_to_global(velocities[i]),
+              spaces.pressures()->local_to_global(pressures[i]));
+    }
+
     template <int dim>
     SparsityPattern gradient_pattern(const Spaces<dim> &spaces)
     {
@@ -50,6 +74,8 @@ namespace semilunar::flow
                             pattern.add(dim * spaces.nodes()->local_to_global(u.node) + c,
                                         spaces.pressures()->local_to_global(p.node));
                     });
+      for_hanging_pressures(spaces,
+                            [&](const auto row, const auto column) { pattern.add(row, column); });
       pattern.compress();
       return pattern;
     }
@@ -95,6 +121,8 @@ namespace semilunar::flow
                                        u.weight * p.weight * free[c]);
                     }
                   });
+    for_hanging_pressures(spaces, [&](const auto row, const auto column)
+                          { gradient.add(row, column, 1.); });
     gradient.compress(dealii::VectorOperation::add);
   }
 
@@ -136,16 +164,15 @@ namespace semilunar::flow
     inverse_diagonal.compress(dealii::VectorOperation::insert);
     gradient.Tmmult(schur, gradient, inverse_diagonal);
 
-    // Rows of hanging nodes are empty; a closed domain leaves the mean pressure free.
-    const double regularisation = equations.conditions().closed() ? 1e-6 : 0.;
-    const auto range = schur.local_range();
-    for (auto i = range.first; i < range.second; ++i)
+    if (equations.conditions().closed())
     {
-      const double entry = schur.el(i, i);
-      if (entry == 0. || regularisation > 0.)
-        schur.set(i, i, entry == 0. ? 1. : (1. + regularisation) * entry);
+      // The mean pressure is free: keep the coarsest matrix regular.
+      constexpr double regularisation = 1e-6;
+      const auto range = schur.local_range();
+      for (auto i = range.first; i < range.second; ++i)
+        schur.set(i, i, (1. + regularisation) * schur.el(i, i));
+      schur.compress(dealii::VectorOperation::insert);
     }
-    schur.compress(dealii::VectorOperation::insert);
 
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
     options.elliptic = true;

@@ -37,25 +37,27 @@ namespace semilunar::flow
       VectorFunction<dim> velocity;
       TractionFunction<dim> traction;
       std::shared_ptr<PressureModel> pressure;
+      double backflow; ///< beta of open boundaries, negative: that of the parameters
     };
     using Id = dealii::types::boundary_id;
 
     /// No slip: the velocity of the mesh.
-    void set_wall(const Id id) { conditions[id] = {Kind::wall, {}, {}, {}}; }
+    void set_wall(const Id id) { conditions[id] = {Kind::wall, {}, {}, {}, 0.}; }
     /// No flow through the (moving) boundary, no tangential traction.
-    void set_slip(const Id id) { conditions[id] = {Kind::slip, {}, {}, {}}; }
+    void set_slip(const Id id) { conditions[id] = {Kind::slip, {}, {}, {}, 0.}; }
     void set_velocity(const Id id, VectorFunction<dim> velocity)
     {
-      conditions[id] = {Kind::velocity, std::move(velocity), {}, {}};
+      conditions[id] = {Kind::velocity, std::move(velocity), {}, {}, 0.};
     }
     void set_traction(const Id id, TractionFunction<dim> traction)
     {
-      conditions[id] = {Kind::traction, {}, std::move(traction), {}};
+      conditions[id] = {Kind::traction, {}, std::move(traction), {}, 0.};
     }
-    /// Traction -p n, stabilised against backflow.
-    void set_open(const Id id, std::shared_ptr<PressureModel> pressure)
+    /// Traction -p n, stabilised against backflow with the factor of the parameters or one of its
+    /// own [-].
+    void set_open(const Id id, std::shared_ptr<PressureModel> pressure, const double backflow = -1.)
     {
-      conditions[id] = {Kind::open, {}, {}, std::move(pressure)};
+      conditions[id] = {Kind::open, {}, {}, std::move(pressure), backflow};
     }
 
     const std::map<Id, Condition> &all() const { return conditions; }

@@ -68,8 +68,11 @@ namespace semilunar::flow
     virtual void set_accumulated_grad_div(const std::vector<Lanes> &weights) = 0;
     /// p'_q <- p'_q - gamma_L div u at the points of marked cells.
     virtual void accumulate_divergence(const Vector &velocity) = 0;
-    /// p'_q, [batch][point]; empty if no cell was ever marked.
-    virtual std::vector<Lanes> &accumulated_pressure() = 0;
+    /// p'_q, [batch][point] of owned cells; nullptr on all ranks if no cell was ever marked.
+    virtual std::vector<Lanes> *accumulated_pressure() = 0;
+    /// The mesh was refined: forget the weights and the body force, and allow for p'_q on the new
+    /// mesh if there is any.
+    virtual void reinit(bool accumulates) = 0;
 
     /// Largest |w| k / h of a rank's cells [1/s], w = u* - uhat of the last linearisation, for the
     /// time step; and the largest cell Reynolds number rho |w| h / (k mu).

@@ -27,7 +27,11 @@ namespace semilunar::flow
     void pressure_mass_matrix(unsigned int batch, Lanes *matrix) const override;
     void set_accumulated_grad_div(const std::vector<Lanes> &weights) override;
     void accumulate_divergence(const Vector &velocity) override;
-    std::vector<Lanes> &accumulated_pressure() override { return accumulated; }
+    std::vector<Lanes> *accumulated_pressure() override
+    {
+      return accumulates ? &accumulated : nullptr;
+    }
+    void reinit(bool accumulates) override;
     typename CellForms<dim>::Rates largest_rates() const override;
     double volume() const override;
 
@@ -105,7 +109,7 @@ namespace semilunar::flow
     std::vector<Lanes> positions_of_points; ///< [batch][point][component]
     std::vector<Lanes> accumulation_weight, accumulated;
     double inertia = 0.;
-    bool newton = false;
+    bool newton = false, accumulates = false;
   };
 } // namespace semilunar::flow
 

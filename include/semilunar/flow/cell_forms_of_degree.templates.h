@@ -352,7 +352,7 @@ namespace semilunar::flow
   template <int dim, int degree>
   void CellFormsOfDegree<dim, degree>::accumulate_divergence(const Vector &velocity)
   {
-    if (accumulated.empty())
+    if (accumulation_weight.empty())
       return;
     for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
     {

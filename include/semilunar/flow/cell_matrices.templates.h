@@ -308,8 +308,18 @@ namespace semilunar::flow
   }
 
   template <int dim, int degree>
+  void CellFormsOfDegree<dim, degree>::reinit(const bool with_accumulation)
+  {
+    accumulates = with_accumulation;
+    accumulated.assign(accumulates ? std::size_t(spaces.n_owned_batches()) * n_points : 0, Lanes{});
+    accumulation_weight.clear();
+    force.clear();
+  }
+
+  template <int dim, int degree>
   void CellFormsOfDegree<dim, degree>::set_accumulated_grad_div(const std::vector<Lanes> &weights)
   {
+    accumulates = true;
     accumulated.resize(std::size_t(spaces.n_owned_batches()) * n_points, Lanes{});
     accumulation_weight = weights;
     for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)

@@ -46,6 +46,10 @@ namespace semilunar::flow
     /// result = derivative of the momentum residual with respect to the pressure, times p.
     void gradient(Vector &result, const Vector &p) const;
 
+    /// Norm of the loads of the pressures of open parts, for the size of rounding errors.
+    /// Collective.
+    double open_load(const Vector &velocity) const;
+
     /// alpha_0 of the step [1/s]
     double inertia() const { return step.bdf.alpha[0]; }
     const Spaces<dim> &spaces() const { return space; }

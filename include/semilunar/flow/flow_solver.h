@@ -3,6 +3,7 @@
 #define semilunar_flow_flow_solver_h
 
 #include <semilunar/flow/saddle_point_solver.h>
+#include <semilunar/flow/state_transfer.h>
 
 #include <deal.II/fe/mapping_q_cache.h>
 
@@ -33,7 +34,7 @@ namespace semilunar::flow
     using Id = dealii::types::boundary_id;
     using Point = dealii::Point<dim>;
 
-    /// @param mapping gives the positions of the nodes; not used later
+    /// @param mapping gives the positions of the nodes, now and when the mesh is refined
     /// @throws InputError for wrong parameters and parts of the boundary without a condition
     FlowSolver(const Parameters &parameters,
                dealii::parallel::distributed::Triangulation<dim> &triangulation,
@@ -83,6 +84,16 @@ namespace semilunar::flow
     /// Of the current positions.
     const dealii::Mapping<dim> &mapping() const;
 
+    /// Refine and coarsen the cells that are flagged and carry the state over, between two steps.
+    /// Points and marked cells have to be set again; what was accumulated in cells is carried over.
+    void refine();
+
+    /// Before Triangulation::save(): attach the state to the mesh. The run goes on as one does that
+    /// loads the file. @return numbers that load_state() needs
+    std::vector<double> save_state();
+    /// After Triangulation::load() on the mesh that the solver was made with: continue from there.
+    void load_state(const std::vector<double> &numbers);
+
     /// Integrals over a part of the boundary, collective: of u.n, mean of p, its area.
     double flow_rate(Id id) const;
     double mean_pressure(Id id) const;
@@ -98,10 +109,12 @@ namespace semilunar::flow
     SaddlePointSolver<dim> &preconditioner() { return linear_solver; }
 
   private:
-    void make_nodes(const dealii::Mapping<dim> &mapping);
+    void make_nodes();
     Vector interpolate(const VectorFunction<dim> &function, const Vector &at, double time) const;
     void reinit_vectors();
     void evaluate_geometry();
+    typename StateTransfer<dim>::State transferred_state();
+    void renew();
     void first_guess();
     unsigned int nonlinear_iteration(double target, bool newton);
     bool moving() const { return mesh_moves; }
@@ -111,7 +124,9 @@ namespace semilunar::flow
     Timers &timers;
     const BoundaryConditions<dim> conditions;
     dealii::parallel::distributed::Triangulation<dim> &triangulation;
+    const std::unique_ptr<dealii::Mapping<dim>> reference_mapping;
     Spaces<dim> space;
+    StateTransfer<dim> transfer;
     Equations<dim> equations;
     SaddlePointSolver<dim> linear_solver;
     VectorFunction<dim> body_force, mesh_motion;
