@@ -52,9 +52,12 @@ namespace semilunar::flow
                   values.quadrature_point(i)[c];
       }
     space.make_readable_velocity(nodes);
-    reference_nodes = nodes;
-    old_nodes = nodes;
-    older_nodes = nodes;
+    for (Vector *copy : {&reference_nodes, &old_nodes, &older_nodes})
+    {
+      copy->reinit(space.velocities()); // assignment alone may keep the ghosts of an old mesh
+      *copy = nodes;
+      space.make_readable_velocity(*copy);
+    }
   }
 
   template <int dim>
@@ -254,7 +257,7 @@ namespace semilunar::flow
       if (current.n_nonlinear == prm.max_nonlinear || !std::isfinite(current.residual))
         throw NumericsError("the nonlinear iteration of the flow did not converge",
                             "t = " + std::to_string(current.time), "");
-      nonlinear_iteration(std::max(prm.linear_tolerance * current.residual, 0.1 * target), newton);
+      nonlinear_iteration(std::max(prm.linear_tolerance * current.residual, 0.3 * target), newton);
     }
   }
 
@@ -406,6 +409,11 @@ namespace semilunar::flow
     space.make_readable_velocity(old_nodes);
     state = current_state;
     old_state = previous_state;
+    for (const FlowVector *vector : {&state, &old_state}) // copies come without ghosts
+    {
+      space.make_readable_velocity(vector->velocity);
+      space.make_readable_pressure(vector->pressure);
+    }
     older_nodes = old_nodes;
     older_state = old_state;
     equations.reinit(nodes);

@@ -41,6 +41,9 @@ namespace semilunar::flow
   template <int dim>
   void StateTransfer<dim>::size_parts(const std::size_t n_velocities, const std::size_t n_pressures)
   {
+    // Assigned to, vectors may keep the ghosts of the old mesh.
+    velocity_parts.clear();
+    pressure_parts.clear();
     velocity_parts.assign(dim * n_velocities, Vector(spaces.nodes()));
     pressure_parts.assign(n_pressures, Vector(spaces.pressures()));
   }
@@ -135,6 +138,8 @@ namespace semilunar::flow
     }
     for (unsigned int v = 0; v < state.pressures.size(); ++v)
     {
+      // Assignment alone may keep the ghosts of the old mesh.
+      state.pressures[v]->reinit(spaces.pressures());
       *state.pressures[v] = pressure_parts[v];
       spaces.make_readable_pressure(*state.pressures[v]);
     }

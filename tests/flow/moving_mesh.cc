@@ -46,7 +46,8 @@ namespace
     refine_corner(mesh);
     flow::Parameters prm = tight();
     prm.nonlinear = scheme;
-    prm.linear_tolerance = 1e-12;
+    if (scheme == "linear-implicit")
+      prm.linear_tolerance = 1e-12;
     Tensor<1, dim> stream;
     for (unsigned int c = 0; c < dim; ++c)
       stream[c] = 1. + 0.5 * c;

@@ -36,7 +36,7 @@ namespace semilunar::flow
     double nonlinear_tolerance = 1e-8;         ///< relative to the first residual of the step
     unsigned int max_nonlinear = 12;
     double linear_tolerance = 1e-4; ///< relative to the residual of the old state
-    unsigned int max_linear = 200;
+    unsigned int max_linear = 500;
 
     std::string step_control = "fixed"; ///< or "CFL", "error"
     double cfl = 1.;                    ///< wanted, by |w| dt k / h
