@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Render a picture of a surface from the output of a run, coloured by a field.
+"""Render a picture of a surface, or of a cut through a flow, coloured by a field.
 
 Works on Bezier cells (divided by VTK) and on linear ones. Run it through pictures.sh, which sees to
 VTK and a display.
@@ -38,6 +38,13 @@ def parse_arguments():
                         help="values at the ends of the colours (default: range of the field)")
     parser.add_argument("--with", dest="others", action="append", default=[], metavar="FILE",
                         help="another .vtu file of the folder, drawn in grey (may be repeated)")
+    parser.add_argument("--cut", choices=("x", "y", "z"),
+                        help="cut a volume (flow-*.vtu) by the plane on which this coordinate is --at")
+    parser.add_argument("--at", type=float, default=0.0, help="where to cut (default 0)")
+    parser.add_argument("--box", type=float, nargs=6,
+                        metavar=("XMIN", "XMAX", "YMIN", "YMAX", "ZMIN", "ZMAX"),
+                        help="draw only what lies in this box")
+    parser.add_argument("--edges", action="store_true", help="draw the edges of a surface's cells, which then are flat")
     parser.add_argument("--view", choices=sorted(VIEWS), default="top")
     parser.add_argument("--size", type=int, nargs=2, default=(1400, 1100), metavar=("WIDTH", "HEIGHT"))
     parser.add_argument("--level", type=int, default=3,
@@ -58,14 +65,40 @@ def surface_file(run, wanted):
     return run / files[0 if wanted == "first" else -1]
 
 
-def read_triangles(path, level):
-    """The surface as triangles with smooth normals, its Bezier cells divided `level` times."""
+def open_grid(path, box=None):
+    """The unstructured grid in a file, without the cells outside of a box."""
     if not path.is_file():
         sys.exit(f"{path}: no such file")
     reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(path))
+    reader.Update()
+    if not box:
+        return reader.GetOutput()
+    region = vtk.vtkBox()
+    region.SetBounds(*box)
+    extract = vtk.vtkExtractGeometry()
+    extract.SetInputData(reader.GetOutput())
+    extract.SetImplicitFunction(region)
+    extract.Update()
+    return extract.GetOutput()
+
+
+def cut(path, axis, position, box):
+    """Triangles of the cut of a volume by a plane."""
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(*[position if a == axis else 0 for a in "xyz"])
+    plane.SetNormal(*[float(a == axis) for a in "xyz"])
+    cutter = vtk.vtkCutter()
+    cutter.SetInputData(open_grid(path, box))
+    cutter.SetCutFunction(plane)
+    cutter.Update()
+    return cutter.GetOutput()
+
+
+def read_triangles(path, level, box=None):
+    """The surface as triangles with smooth normals, its cells divided `level` times."""
     surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(reader.GetOutputPort())
+    surface.SetInputData(open_grid(path, box))
     surface.SetNonlinearSubdivisionLevel(level)
     merged = vtk.vtkCleanPolyData()  # elements do not share points in the file
     merged.SetInputConnection(surface.GetOutputPort())
@@ -131,6 +164,18 @@ def boundary_lines(data):
     return actor
 
 
+def cell_edges(surface):
+    """The edges of cells that are drawn without curvature."""
+    edges = vtk.vtkExtractEdges()
+    edges.SetInputData(surface)
+    edges.Update()
+    actor = shaded(edges.GetOutput())
+    actor.GetProperty().SetColor(*BLACK)
+    actor.GetProperty().LightingOff()
+    actor.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()  # lines before faces
+    return actor
+
+
 def coloured(data, field, limits):
     """The surface coloured by a field (the norm of a vector), and the map of the colours."""
     array = data.GetPointData().GetArray(field)
@@ -192,12 +237,18 @@ def write_picture(renderer, size, out):
 def main():
     arguments = parse_arguments()
     path = surface_file(arguments.run, arguments.file)
-    surface = read_triangles(path, arguments.level)
+    if arguments.cut:
+        surface = cut(path, arguments.cut, arguments.at, arguments.box)
+    else:
+        level = 0 if arguments.edges else arguments.level
+        surface = read_triangles(path, level, arguments.box)
     actor, table = coloured(surface, arguments.field, arguments.range)
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(*WHITE)
     renderer.AddActor(actor)
     renderer.AddActor(boundary_lines(surface))
+    if arguments.edges:
+        renderer.AddActor(cell_edges(surface))
     for other in arguments.others:
         renderer.AddActor(shaded(read_triangles(arguments.run / other, arguments.level)))
     aim(renderer, arguments.view, arguments.size)

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace semilunar::scene
 {
@@ -43,6 +45,19 @@ namespace semilunar::scene
       return constants;
     }
 
+    /// Keeps what is written to std::cerr from the terminal while it exists.
+    class Silence
+    {
+    public:
+      Silence() : original(std::cerr.rdbuf(swallowed.rdbuf())) {}
+      ~Silence() { std::cerr.rdbuf(original); }
+      Silence(const Silence &) = delete;
+
+    private:
+      std::ostringstream swallowed;
+      std::streambuf *const original;
+    };
+
     /// An expression ready to be evaluated, tried once.
     template <int dim>
     std::shared_ptr<FunctionParser<dim>>
@@ -50,6 +65,7 @@ namespace semilunar::scene
           const Constants &constants, const std::string &text, const std::string &entry)
     {
       auto parser = std::make_shared<FunctionParser<dim>>(expressions.size());
+      const Silence silence; // deal.II prints muParser's complaint, which takes lines
       try
       {
         parser->initialize(variables, expressions, with_units(constants), true);

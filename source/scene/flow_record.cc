@@ -32,7 +32,8 @@ namespace semilunar::scene
 
   template <int dim>
   FlowRecord<dim>::FlowRecord(const std::filesystem::path &folder,
-                              const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh)
+                              const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
+                              const bool resume)
       : parameters(parameters), boundary_ids(mesh.boundary_ids)
   {
     for (const std::string &name : parameters.forces)
@@ -70,7 +71,7 @@ namespace semilunar::scene
       std::vector<output::TimeSeries::Column> titles;
       for (const Column &column : columns)
         titles.push_back(column.title);
-      series = std::make_unique<output::TimeSeries>(folder, titles);
+      series = std::make_unique<output::TimeSeries>(folder, titles, "timeseries.csv", resume);
     }
   }
 

@@ -43,6 +43,7 @@ namespace semilunar::scene
     prm.add_parameter("Dimension", dimension, "Of space: 2 or 3", Patterns::Integer(2, 3));
     mesh.add_parameters(prm);
     prm.enter_subsection("Mesh");
+    adaptivity.add_parameters(prm);
     prm.enter_subsection("Motion");
     prm.add_parameter("Displacement", displacement,
                       "Displacement of the mesh over time, '(u, v, w)', expressions in the "
@@ -82,6 +83,7 @@ namespace semilunar::scene
     prm.add_parameter("Pressure", exact_pressure, "Expression in x, y, z, t [dyn/cm^2]");
     prm.leave_subsection();
     record.add_parameters(prm);
+    checkpoints.add_parameters(prm);
   }
 
   void FlowSceneParameters::check() const
@@ -90,5 +92,8 @@ namespace semilunar::scene
     flow.check();
     if (record.section_axis == "z" && dimension == 2 && !record.sections.empty())
       throw InputError("Output/Section axis", "z", "the plane has no z axis", "choose x or y");
+    if (adaptivity.interval > 0 && !displacement.empty())
+      throw InputError("Mesh/Adaptivity/Interval", std::to_string(adaptivity.interval),
+                       "a mesh that moves does not adapt", "set it to 0");
   }
 } // namespace semilunar::scene

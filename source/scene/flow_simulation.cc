@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/archive.h>
 #include <semilunar/core/exceptions.h>
+#include <semilunar/core/first_rank.h>
 #include <semilunar/core/interrupt.h>
 #include <semilunar/mesh/quality.h>
+#include <semilunar/output/cell_numbers.h>
 #include <semilunar/output/flow_errors.h>
 #include <semilunar/output/wall_shear_stress.h>
 #include <semilunar/scene/flow_simulation.h>
@@ -9,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 
 namespace semilunar::scene
 {
@@ -37,9 +41,16 @@ namespace semilunar::scene
         mapping(prm.flow.degree), solver(make_solver()),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
-        record(context.dry_run ? std::filesystem::path() : context.folder, prm.record, *mesh),
-        files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh))
+        record(context.dry_run ? std::filesystem::path() : context.folder, prm.record, *mesh,
+               context.restart),
+        files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh)), progress{prm.step}
   {
+    if (context.dry_run)
+      return;
+    checkpoints = std::make_unique<Checkpoints>(
+        context.folder, prm.checkpoints,
+        "a flow on a coarse mesh of " + std::to_string(mesh->triangulation.n_cells(0)) + " cells");
+    add_to(*checkpoints);
   }
 
   template <int dim>
@@ -82,7 +93,7 @@ namespace semilunar::scene
   {
     return {solver->mapping(),  velocity_dofs->handler(), solver->spaces().pressure_dofs(),
             solver->velocity(), solver->pressure(),       prm.flow.density,
-            prm.flow.viscosity, solver->time(),           last_dt};
+            prm.flow.viscosity, solver->time(),           progress.last_dt};
   }
 
   template <int dim>
@@ -96,36 +107,117 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  void FlowSimulation<dim>::add_to(Checkpoints &checkpoints)
+  {
+    checkpoints.add_object("progress", progress);
+    checkpoints.add_object("record", record);
+    checkpoints.add_object("files", files);
+    checkpoints.add_distributed(
+        "flow", [this](const std::filesystem::path &folder) { save_flow(folder); },
+        [this](const std::filesystem::path &folder) { load_flow(folder); });
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::save_flow(const std::filesystem::path &folder)
+  {
+    const std::vector<double> numbers = solver->save_state();
+    mesh->triangulation.save((folder / "mesh").string());
+    on_first_rank(
+        [&]()
+        {
+          std::ofstream file(folder / "numbers", std::ios::binary);
+          boost::archive::binary_oarchive(file) << numbers;
+        });
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::load_flow(const std::filesystem::path &folder)
+  {
+    velocity_dofs.reset();
+    mesh->triangulation.load((folder / "mesh").string());
+    std::vector<double> numbers;
+    std::ifstream file(folder / "numbers", std::ios::binary);
+    boost::archive::binary_iarchive(file) >> numbers;
+    solver->load_state(numbers);
+    renew_dofs();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::renew_dofs()
+  {
+    velocity_dofs = std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs());
+    record.reinit(state());
+    last_velocity = solver->velocity();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::begin()
+  {
+    record.reinit(state());
+    const Timers::Scope timer(context.timers, "initial state");
+    initialise();
+    last_velocity = solver->velocity();
+    write();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::go_on()
+  {
+    checkpoints->restore();
+    record.go_on();
+    context.results.steps = progress.n_steps;
+    context.results.newton_iterations = progress.n_nonlinear;
+    context.log.line("going on from step " + std::to_string(progress.n_steps) + ", time " +
+                     std::to_string(solver->time()));
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::save_if_due()
+  {
+    if (!checkpoints->due(context.results.steps))
+      return;
+    const Timers::Scope timer(context.timers, "output");
+    progress.n_steps = context.results.steps;
+    progress.n_nonlinear = context.results.newton_iterations;
+    record.remember_size();
+    checkpoints->write(context.results.steps, solver->time());
+    context.log.line("checkpoint at time " + std::to_string(solver->time()));
+  }
+
+  template <int dim>
+  bool FlowSimulation<dim>::at_end() const
+  {
+    return solver->time() >= prm.end * (1. - end_tolerance);
+  }
+
+  template <int dim>
   void FlowSimulation<dim>::run()
   {
     report_size();
-    record.reinit(state());
     if (context.dry_run)
-      return;
-    {
-      const Timers::Scope timer(context.timers, "initial state");
-      initialise();
-    }
-    last_velocity = solver->velocity();
-    write();
-    double dt = prm.step;
+      return record.reinit(state());
     try
     {
-      while (solver->time() < prm.end * (1. - end_tolerance) && !interrupted())
+      context.restart ? go_on() : begin();
+      while (!at_end() && !interrupted())
       {
         const double left = prm.end - solver->time();
-        const flow::StepReport report = step(left < dt * (1. + end_tolerance) ? left : dt);
+        const flow::StepReport report =
+            step(left < progress.dt * (1. + end_tolerance) ? left : progress.dt);
         finish_step(report);
-        dt = solver->suggested_dt(report.dt);
+        progress.dt = solver->suggested_dt(report.dt);
         if (prm.steady_tolerance > 0. && rate_of_change(report.dt) < prm.steady_tolerance)
           break;
+        save_if_due();
       }
     }
     catch (const NumericsError &error)
     {
       write();
-      throw error.after((context.folder / last_file).string());
+      throw error.after((context.folder / progress.last_file).string());
     }
+    if (interrupted())
+      return;
     context.log.progress("flow", 1.);
     write();
     add_quantities();
@@ -166,7 +258,7 @@ namespace semilunar::scene
   {
     ++context.results.steps;
     context.results.newton_iterations += report.n_nonlinear;
-    last_dt = report.dt;
+    progress.last_dt = report.dt;
     {
       const Timers::Scope timer(context.timers, "output");
       if (!prm.displacement.empty())
@@ -175,17 +267,32 @@ namespace semilunar::scene
       context.log.line(describe(report));
       context.log.progress("flow", std::min(report.time / prm.end, 0.999));
     }
-    if (prm.record.vtu.interval > 0. && report.time >= next_output - 0.5 * report.dt &&
-        report.time < prm.end * (1. - end_tolerance))
+    if (prm.record.vtu.interval > 0. && report.time >= progress.next_output - 0.5 * report.dt &&
+        !at_end())
       write();
+    if (prm.adaptivity.interval > 0 && context.results.steps % prm.adaptivity.interval == 0)
+      adapt_mesh();
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::adapt_mesh()
+  {
+    const Timers::Scope timer(context.timers, "adaptive refinement");
+    if (!mesh::flag_cells(*mesh, output::error_indicators(state(), prm.adaptivity.vorticity_weight),
+                          prm.adaptivity))
+      return;
+    velocity_dofs.reset();
+    solver->refine();
+    renew_dofs();
+    report_size();
   }
 
   template <int dim>
   void FlowSimulation<dim>::write()
   {
     const Timers::Scope timer(context.timers, "output");
-    last_file = files.write(state());
-    next_output = solver->time() + prm.record.vtu.interval;
+    progress.last_file = files.write(state());
+    progress.next_output = solver->time() + prm.record.vtu.interval;
   }
 
   template <int dim>

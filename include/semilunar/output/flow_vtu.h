@@ -40,6 +40,13 @@ namespace semilunar::output
     /// Collective. @return name of the file. @throws InputError if it cannot be written
     std::string write(const FlowState<dim> &state);
 
+    /// Save or restore which files there are.
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &flow_collection &wall_collection &n_written;
+    }
+
   private:
     void write_walls(const FlowState<dim> &state, const std::string &number);
 

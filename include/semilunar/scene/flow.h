@@ -13,6 +13,7 @@ namespace semilunar::scene
   public:
     void add_parameters(dealii::ParameterHandler &prm) override;
     std::string finer() const override;
+    bool can_restart() const override { return true; }
     void check() const override;
     void run(RunContext &context) override;
 

@@ -17,8 +17,9 @@ namespace semilunar::scene
   {
   public:
     /// @throws InputError for names that do not exist
+    /// @param resume go on with the file of an earlier run; go_on() must follow
     FlowRecord(const std::filesystem::path &folder, const FlowRecordParameters &parameters,
-               const mesh::Mesh<dim> &mesh);
+               const mesh::Mesh<dim> &mesh, bool resume);
 
     /// Locate sections and probes: at first, and whenever the mesh has changed or moved.
     /// @throws InputError for probes outside of the mesh
@@ -31,6 +32,17 @@ namespace semilunar::scene
     /// The last value of each column, peaks, and the flow balance. @throws InputError for peaks of
     /// columns that do not exist
     void add_quantities(RunResults &results) const;
+
+    /// Before the record is saved, after it was restored: how long the file is. Collective.
+    void remember_size() { series_size = series->size(); }
+    void go_on() { series->go_on_at(series_size); }
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      for (Column &column : columns)
+        archive &column.values;
+      archive &last_imbalance &largest_imbalance &largest_flow_rate &series_size;
+    }
 
   private:
     struct Column
@@ -62,6 +74,7 @@ namespace semilunar::scene
     std::vector<Column> columns;
     double last_imbalance = 0., largest_imbalance = 0., largest_flow_rate = 0.;
     std::unique_ptr<output::TimeSeries> series;
+    std::uintmax_t series_size = 0; ///< when it was saved, on the first rank
   };
 } // namespace semilunar::scene
 

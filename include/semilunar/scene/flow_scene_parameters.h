@@ -2,6 +2,7 @@
 #ifndef semilunar_scene_flow_scene_parameters_h
 #define semilunar_scene_flow_scene_parameters_h
 
+#include <semilunar/core/checkpoint.h>
 #include <semilunar/flow/parameters.h>
 #include <semilunar/mesh/parameters.h>
 #include <semilunar/output/flow_vtu.h>
@@ -28,6 +29,7 @@ namespace semilunar::scene
   {
     unsigned int dimension = 3;
     mesh::MeshParameters mesh;
+    mesh::AdaptivityParameters adaptivity;
     flow::Parameters flow;
     FlowBoundaries boundaries;
     double end = 1., step = 1e-2; ///< [s]
@@ -35,6 +37,7 @@ namespace semilunar::scene
     Constants constants;
     std::string initial_velocity, body_force, exact_velocity, exact_pressure, displacement;
     FlowRecordParameters record;
+    CheckpointParameters checkpoints;
 
     void add_parameters(dealii::ParameterHandler &prm);
     void check() const;

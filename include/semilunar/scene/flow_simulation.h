@@ -23,11 +23,22 @@ namespace semilunar::scene
   private:
     std::unique_ptr<flow::FlowSolver<dim>> make_solver();
     void initialise();
+    void add_to(Checkpoints &checkpoints);
+    /// The distributed part of a checkpoint: mesh and fields.
+    void save_flow(const std::filesystem::path &folder);
+    void load_flow(const std::filesystem::path &folder);
+    void begin();
+    void go_on();
+    void save_if_due();
+    bool at_end() const;
+    /// The mesh has other cells now.
+    void renew_dofs();
     void report_size() const;
     /// A step of at most this size, smaller if steps are controlled and it fails.
     flow::StepReport step(double dt);
-    /// After a step: rows, files.
+    /// After a step: rows, files, a new mesh.
     void finish_step(const flow::StepReport &report);
+    void adapt_mesh();
     void write();
     /// Relative change of the velocity within a unit of time.
     double rate_of_change(double dt);
@@ -45,9 +56,21 @@ namespace semilunar::scene
     std::unique_ptr<output::VelocityDofs<dim>> velocity_dofs;
     FlowRecord<dim> record;
     output::FlowVtu<dim> files;
+    std::unique_ptr<Checkpoints> checkpoints; ///< null on a dry run
     output::FlowVector last_velocity;
-    std::string last_file;
-    double last_dt = 0., next_output = 0.;
+
+    struct Progress
+    {
+      double dt, last_dt = 0., next_output = 0.; ///< next step, last step, time of the next file
+      unsigned int n_steps = 0, n_nonlinear = 0;
+      std::string last_file{};
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &dt &last_dt &next_output &n_steps &n_nonlinear &last_file;
+      }
+    } progress;
   };
 } // namespace semilunar::scene
 

@@ -1,0 +1,89 @@
+#!/bin/bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# usage: flow.sh PROGRAM PRM_FOLDER MPIEXEC
+#
+# Flow scenes: orders of convergence at rest and on a moving mesh, free stream, drag of a cylinder,
+# wall shear stress and flow balance in a pipe, one answer on one and two ranks, and what they say to
+# wrong input.
+scenes=$(realpath "$2")/benchmarks/flow
+mpiexec=$3
+source "$(dirname "$0")/expect.sh"
+
+# order RUN QUANTITY LOW: the observed order of the finest level is at least this.
+order() {
+  local value
+  value=$(awk -F, -v q="$2" '$1 == q { order = $8 } END { print order }' "$1/speed_vs_error.csv")
+  echo "$1: order of $2: $value"
+  awk -v v="$value" -v l="$3" 'BEGIN { exit !(v != "" && v + 0 >= l) }' ||
+    failed "$1: order of $2 is '$value', below $3"
+}
+
+for scene in manufactured-2d manufactured-moving-2d; do
+  expect 0 '' "$scenes/$scene.prm" --levels 3 --quiet --output $scene
+  order $scene velocity_error_l2 2.9
+  order $scene velocity_error_h1 1.9
+  order $scene pressure_error_l2 1.9
+done
+
+expect 0 'done in' "$scenes/free-stream.prm" --set Time/End=0.1 --output free-stream
+expect_between free-stream velocity_error_max 0 1e-9
+
+expect 0 'done in' "$scenes/piston.prm" --output piston
+expect_between piston velocity_error_l2 0 1e-3
+
+# Published: 5.5795, 0.11752.
+expect 0 'done in' "$scenes/dfg-2d-1.prm" --set "Time/Steady tolerance=1e-4" --output dfg
+expect_between dfg force_cylinder_x 5.5790 5.5800
+expect_between dfg dp 0.1172 0.1179
+
+expect 0 'done in' "$scenes/poiseuille.prm" --set "Time/End=1" --set "Output/Interval=0.5" \
+  --output pipe
+expect_between pipe wall_shear_stress_min 0.1721 0.1773
+expect_between pipe wall_shear_stress_max 0.1721 0.1773
+expect_between pipe flow_imbalance 0 1e-8
+for file in flow-0002.vtu wall-0002.vtu flow.pvd wall.pvd; do
+  [[ -s pipe/$file ]] || failed "there is no $file"
+done
+
+# One answer on one and on two ranks.
+"$mpiexec" -n 2 "$program" "$scenes/poiseuille.prm" --set Time/End=1 --quiet --output ranks ||
+  failed "two ranks"
+for name in pressure_inlet flow_rate_z0 wall_shear_stress_max; do
+  a=$(quantity pipe $name) b=$(quantity ranks $name)
+  awk -v a="$a" -v b="$b" 'BEGIN { d = (a - b) / a; exit !(d < 1e-6 && d > -1e-6) }' ||
+    failed "$name: $a on one rank, $b on two"
+done
+
+# A run that is killed goes on from its checkpoint, bit for bit as one that was not.
+arguments=("$scenes/impulsive-backflow.prm" --set Time/End=0.012 --set Output/Interval=0.004
+  --set "Checkpoints/Step interval=4")
+expect 0 'done in' "${arguments[@]}" --output whole
+"$program" "${arguments[@]}" --output killed >out 2>err &
+pid=$!
+until grep -q 'step 7,' out 2>/dev/null || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
+kill -KILL $pid
+wait $pid 2>/dev/null
+expect 0 'going on from step' "${arguments[@]}" --output killed --restart
+cmp whole/timeseries.csv killed/timeseries.csv || failed "the restarted run differs"
+
+# The mesh follows the flow.
+expect 0 'done in' "$scenes/dfg-2d-3.prm" --set Mesh/Refinements=1 --set Time/End=0.2 \
+  --set "Mesh/Adaptivity/Interval=5" --output adapted
+expect_between adapted cells 500 2000
+expect_between adapted flow_imbalance 0 1e-5
+
+# Wrong input.
+cavity=$scenes/cavity.prm
+types="left: wall; right: wall; bottom: wall"
+expect 1 "boundary 'top' has no type" "$cavity" --set "Boundary conditions/Types=$types" --dry-run
+expect 1 "did you mean 'top'" "$cavity" --set "Boundary conditions/Types=$types; tob: wall" --dry-run
+expect 1 "no such type" "$cavity" --set "Boundary conditions/Types=$types; top: wal" --dry-run
+expect 1 "is not in it" "$cavity" --set "Boundary conditions/Velocities=" --dry-run
+expect 1 "no expression" "$cavity" --set "Boundary conditions/Velocities=top: (1, 2*)" --dry-run
+expect 1 "2 components" "$cavity" --set "Boundary conditions/Velocities=top: (1, 0, 0)" --dry-run
+expect 1 "no exact solution" "$cavity" --set "Boundary conditions/Types=$types; top: exact" --dry-run
+expect 1 "does not lie in the mesh" "$cavity" --set "Output/Probes=a: (2, 0)" --dry-run
+expect 1 "no such column" "$cavity" --set "Output/Peaks=drag" --dry-run
+expect 1 "three dimensions" "$cavity" --set Mesh/Shape=artery --dry-run
+finish
