@@ -3,8 +3,10 @@
 #include <semilunar/core/parameters.h>
 #include <semilunar/scene/surface_source.h>
 #include <semilunar/shell/location.h>
+#include <semilunar/spline/cad_file.h>
 #include <semilunar/spline/iga_file.h>
 #include <semilunar/spline/primitives.h>
+#include <semilunar/valve/deployment.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/stent.h>
 
@@ -92,6 +94,14 @@ namespace semilunar::scene
         throw InputError("Surface/File", "", "is not set", "name an .iga file");
       surface = spline::read_iga(file, scale);
     }
+    else if (source == "cad")
+    {
+      if (!spline::is_cad_file(file))
+        throw InputError("Surface/File", file, "is no CAD file",
+                         "name a .step, .stp, .iges or .igs file");
+      surface = spline::join(spline::read_cad(file), degree, join_tolerance);
+      scale_coordinates(surface, scale);
+    }
     else if (source == "leaflets" || source == "stent" || source == "valve")
       surface = parts_of_valve();
     else
@@ -121,6 +131,21 @@ namespace semilunar::scene
       spline::append(surface, valve::stent(design), merge_nothing);
     scale_coordinates(surface, scale);
     return surface;
+  }
+
+  std::vector<spline::NurbsPatch> SurfaceSource::patches(const spline::Surface &surface) const
+  {
+    std::vector<spline::NurbsPatch> result;
+    const bool is_part_of_valve = source == "leaflets" || source == "stent" || source == "valve";
+    if (!is_part_of_valve || scale != 1. || !copies.empty())
+      return spline::bezier_patches(surface);
+    if (source != "stent")
+      for (unsigned int k = 0; k < design.n_leaflets; ++k)
+        result.push_back(valve::in_place(valve::leaflet_patch(design), k, design));
+    if (source != "leaflets")
+      for (const spline::NurbsPatch &patch : valve::stent_patches(design))
+        result.push_back(patch);
+    return result;
   }
 
   spline::NurbsPatch SurfaceSource::simple_shape() const

@@ -33,10 +33,11 @@ namespace semilunar::scene
     prm.enter_subsection("Surface");
     prm.add_parameter("Source", source,
                       "Where the surface comes from: one of the simple shapes, a NURBS patch or "
-                      "an .iga file, each described by the section of that name, or the leaflets, "
+                      "an .iga file, each described by the section of that name, the B-spline "
+                      "surfaces of a STEP or IGES file (cad, converted to cm), or the leaflets, "
                       "the stent or both (valve) of the design in section Valve.",
                       Patterns::Selection("quadrilateral|cylinder|sphere|annulus|leaflets|stent|"
-                                          "valve|nurbs|iga"));
+                                          "valve|nurbs|iga|cad"));
     prm.add_parameter("Degree", degree,
                       "Polynomial degree in both directions, raised to this one without a change "
                       "of shape (not for iga and the parts of a valve, which are cubic).",
@@ -49,10 +50,15 @@ namespace semilunar::scene
                       "All coordinates are multiplied by this, as with 0.1 for a file in mm in a "
                       "scene in cm [-].",
                       positive_number());
-    prm.add_parameter("File", file,
-                      "The .iga file. Its name is relative to the scene file, or to the current "
-                      "directory if given by --set.",
-                      Patterns::FileName());
+    prm.add_parameter(
+        "File", file,
+        "The .iga, STEP or IGES file. Its name is relative to the scene file, or to the current "
+        "directory if given by --set.",
+        Patterns::FileName());
+    prm.add_parameter("Join tolerance", join_tolerance,
+                      "Control points of patches of a CAD file that are not farther apart become "
+                      "one [cm]: patches are joined where they share edges.",
+                      Patterns::Double(0.));
     prm.add_parameter("Copies", copies,
                       "Further pieces of the same shape, separated by semicolons: '(x, y, z)' is "
                       "one that is shifted by this, 'turn z 90 (x, y, z)' one that is turned about "

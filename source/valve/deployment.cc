@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/valve/deployment.h>
+#include <semilunar/valve/turn.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -49,6 +50,15 @@ namespace semilunar::valve
     const CrossSection section = cross_section(design);
     for (spline::ControlPoint &point : points)
       stretch(point.position, section.direction, section.longer, section.shorter);
+  }
+
+  spline::NurbsPatch in_place(const spline::NurbsPatch &patch, const unsigned int k,
+                              const Design &design)
+  {
+    std::vector<spline::ControlPoint> net = patch.control_net();
+    turn(net, k, design.n_leaflets);
+    deploy(net, design);
+    return spline::NurbsPatch({{patch.knots(0), patch.knots(1)}}, net);
   }
 
   std::vector<spline::Tensor<1, 3>> undeployed(std::vector<spline::Tensor<1, 3>> positions,

@@ -96,12 +96,52 @@ namespace semilunar::valve
         to.sets.push_back({SetKind::node, name, from.find_set(SetKind::node, side)->members});
     }
 
-    /// Refine the patch, name its parts and append a copy for each leaflet.
-    void add_copies(Surface &stent, NurbsPatch patch, const unsigned int n_first,
-                    const unsigned int n_second, const PatchNames &names, const Design &design)
+    /// A part of the stent behind one leaflet, unrefined.
+    struct Part
     {
-      refine(patch, 0, n_first);
-      refine(patch, 1, n_second);
+      NurbsPatch patch;
+      std::array<unsigned int, 2> n_elements;
+      PatchNames names;
+    };
+
+    std::vector<Part> parts(const Design &design)
+    {
+      const auto &n = design.stent;
+      const BoundaryCurves curves = boundary_curves(design);
+      const Curve scallop{curves.knots, curves.scallop};
+      const Curve wall_foot = at_height(scallop, 0.);
+      const Curve post_foot = post_arc(design, design.radius, design.half_angle());
+      const Curve post_top =
+          post_arc(design, design.commissure_radius(), design.half_commissure_angle());
+      const double ring = n.ring_outer_radius / design.radius;
+      const std::string edge = "leafletEdge", outer = "outerEdge";
+
+      std::vector<Part> all;
+      const auto add = [&](const Curve &first, const Curve &second, const unsigned int n_first,
+                           const unsigned int n_second, const PatchNames &names) {
+        all.push_back({ruled(first, second, n.degree_across), {{n_first, n_second}}, names});
+      };
+      add(wall_foot, scallop, n.n_elements_along, n.n_wall_elements, {"wall", "", edge, ""});
+      add(post_foot, at_height(post_foot, design.post_foot_height), n.n_elements_across_post,
+          n.n_wall_elements, {"posts", "", "", ""});
+      add(at_height(post_foot, design.post_foot_height),
+          at_height(post_top, design.commissure_height), n.n_elements_across_post,
+          n.n_elements_up_post, {"posts", "", "", edge});
+      // from outside inward, so that neighbors across the wall's foot have the same orientation
+      add(stretched(wall_foot, ring), wall_foot, n.n_elements_along, n.n_ring_elements,
+          {"ring", outer, "", ""});
+      add(stretched(post_foot, ring), post_foot, n.n_elements_across_post, n.n_ring_elements,
+          {"ring", outer, "", ""});
+      return all;
+    }
+
+    /// Refine the part, name its edges and append a copy for each leaflet.
+    void add_copies(Surface &stent, const Part &part, const Design &design)
+    {
+      NurbsPatch patch = part.patch;
+      for (unsigned int d = 0; d < 2; ++d)
+        refine(patch, d, part.n_elements[d]);
+      const PatchNames &names = part.names;
       const Surface unnamed = spline::to_surface(patch);
       Surface named{unnamed.control_points, unnamed.elements, {}};
       NamedSet elements{SetKind::element, names.elements,
@@ -125,32 +165,20 @@ namespace semilunar::valve
   Surface stent(const Design &design)
   {
     design.check();
-    const auto &n = design.stent;
-    const BoundaryCurves curves = boundary_curves(design);
-    const Curve scallop{curves.knots, curves.scallop};
-    const Curve wall_foot = at_height(scallop, 0.);
-    const Curve post_foot = post_arc(design, design.radius, design.half_angle());
-    const Curve post_top =
-        post_arc(design, design.commissure_radius(), design.half_commissure_angle());
-    const double ring = n.ring_outer_radius / design.radius;
-    const std::string edge = "leafletEdge", outer = "outerEdge";
-
     Surface stent;
-    const auto add = [&](const Curve &first, const Curve &second, const unsigned int n_first,
-                         const unsigned int n_second, const PatchNames &names)
-    { add_copies(stent, ruled(first, second, n.degree_across), n_first, n_second, names, design); };
-    add(wall_foot, scallop, n.n_elements_along, n.n_wall_elements, {"wall", "", edge, ""});
-    add(post_foot, at_height(post_foot, design.post_foot_height), n.n_elements_across_post,
-        n.n_wall_elements, {"posts", "", "", ""});
-    add(at_height(post_foot, design.post_foot_height),
-        at_height(post_top, design.commissure_height), n.n_elements_across_post,
-        n.n_elements_up_post, {"posts", "", "", edge});
-    // from outside inward, so that neighbors across the wall's foot have the same orientation
-    add(stretched(wall_foot, ring), wall_foot, n.n_elements_along, n.n_ring_elements,
-        {"ring", outer, "", ""});
-    add(stretched(post_foot, ring), post_foot, n.n_elements_across_post, n.n_ring_elements,
-        {"ring", outer, "", ""});
+    for (const Part &part : parts(design))
+      add_copies(stent, part, design);
     deploy(stent.control_points, design);
     return stent;
+  }
+
+  std::vector<NurbsPatch> stent_patches(const Design &design)
+  {
+    design.check();
+    std::vector<NurbsPatch> patches;
+    for (const Part &part : parts(design))
+      for (unsigned int k = 0; k < design.n_leaflets; ++k)
+        patches.push_back(in_place(part.patch, k, design));
+    return patches;
   }
 } // namespace semilunar::valve

@@ -20,6 +20,7 @@ namespace semilunar::scene
   private:
     SurfaceSource source;
     output::SurfaceVtuParameters vtu;
+    std::string cad_file;
   };
 } // namespace semilunar::scene
 

@@ -10,7 +10,7 @@
 namespace semilunar::scene
 {
   /// Where the surface of a scene comes from: a simple shape, a valve design, a NURBS patch given
-  /// by its control net, or an .iga file.
+  /// by its control net, or a file (.iga, STEP, IGES).
   class SurfaceSource
   {
   public:
@@ -20,6 +20,9 @@ namespace semilunar::scene
     /// Build and check the surface.
     /// @throws InputError whose place is the entry to change, or the line of the .iga file
     spline::Surface build() const;
+
+    /// The same as few patches, for CAD programs; a patch for each element if there are none.
+    std::vector<spline::NurbsPatch> patches(const spline::Surface &surface) const;
 
   private:
     using Range = std::array<double, 2>;
@@ -35,6 +38,7 @@ namespace semilunar::scene
     std::array<unsigned int, 2> n_elements{{8, 8}};
     double scale = 1.;
     std::string file, copies;
+    double join_tolerance = 1e-6;
 
     std::vector<std::vector<double>> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     double cylinder_radius = 1.;

@@ -2,7 +2,7 @@
 #ifndef semilunar_valve_stent_h
 #define semilunar_valve_stent_h
 
-#include <semilunar/spline/surface.h>
+#include <semilunar/spline/nurbs_patch.h>
 #include <semilunar/valve/design.h>
 
 namespace semilunar::valve
@@ -15,6 +15,10 @@ namespace semilunar::valve
   /// Node sets: `leafletEdge` (where leaflets are attached), `outerEdge` (of the ring).
   /// @throws InputError from Design::check()
   spline::Surface stent(const Design &design);
+
+  /// The parts of the stent as patches, unrefined.
+  /// @throws InputError from Design::check()
+  std::vector<spline::NurbsPatch> stent_patches(const Design &design);
 } // namespace semilunar::valve
 
 #endif
