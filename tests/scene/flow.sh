@@ -59,6 +59,7 @@ done
 arguments=("$scenes/impulsive-backflow.prm" --set Time/End=0.012 --set Output/Interval=0.004
   --set "Checkpoints/Step interval=4")
 expect 0 'done in' "${arguments[@]}" --output whole
+rm -f out # of the run before
 "$program" "${arguments[@]}" --output killed >out 2>err &
 pid=$!
 until grep -q 'step 7,' out 2>/dev/null || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done

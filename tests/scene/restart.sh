@@ -28,6 +28,7 @@ expect 0 'done in' "${arguments[@]}" --output whole
 [[ -e whole/checkpoint-0 ]] && failed "a checkpoint that nobody asked for"
 
 # Interrupted: the run writes a checkpoint and ends with code 2.
+rm -f out # of the run before
 "$program" "${arguments[@]}" --output interrupted >out 2>err &
 pid=$!
 until grep -q 'step 12' out 2>/dev/null || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
@@ -42,6 +43,7 @@ same_files interrupted
 
 # Killed: rows that came after the checkpoint are removed, and written again.
 checkpoints=(--set "Checkpoints/Step interval=10")
+rm -f out
 "$program" "${arguments[@]}" "${checkpoints[@]}" --output killed >out 2>err &
 pid=$!
 until grep -q 'step 27' out 2>/dev/null || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
