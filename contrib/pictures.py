@@ -58,6 +58,8 @@ def surface_file(run, wanted):
     if wanted not in ("first", "last"):
         return run / wanted
     collections = sorted(run.glob("*.pvd"))
+    if run / "shell.pvd" in collections:  # of leaflets and blood, the leaflets
+        collections = [run / "shell.pvd"]
     if len(collections) != 1:
         names = ", ".join(c.name for c in collections) or "none"
         sys.exit(f"{run}: expected one .pvd collection, found {names}; use --file NAME.vtu")
