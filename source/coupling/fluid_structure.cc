@@ -48,6 +48,21 @@ namespace semilunar::coupling
     penalties.resize(points.positions.size());
   }
 
+  void FluidStructure::forget_history()
+  {
+    const Timers::Scope timer(timers, "coupling: points");
+    if (shell)
+    {
+      y = shell->displacement();
+      points = concatenate(surface_points(immersed.surface, immersed.points, shell->positions(y)),
+                           rigid);
+      in_shell->search_again(points.positions);
+    }
+    if (in_rigid)
+      in_rigid->search_again(rigid.positions);
+    weighted_dt = 0.; // marks the cells anew
+  }
+
   void FluidStructure::place_points()
   {
     const Timers::Scope timer(timers, "coupling: points");

@@ -16,12 +16,20 @@ namespace semilunar::coupling
       : flow(flow), communicator(flow.spaces().communicator()), map(flow),
         participants(positions.size(), true)
   {
-    search_again(positions);
+    search_all(positions);
     for (const unsigned int q : missing())
       participants[q] = false;
   }
 
   void ImmersedPoints::search_again(const std::vector<Position> &positions)
+  {
+    const unsigned int inside_before = inside;
+    search_all(positions);
+    if (inside < inside_before)
+      throw_lost(positions);
+  }
+
+  void ImmersedPoints::search_all(const std::vector<Position> &positions)
   {
     std::vector<unsigned int> all;
     for (unsigned int q = 0; q < participants.size(); ++q)
@@ -113,8 +121,12 @@ namespace semilunar::coupling
     // Points that the walk has lost are searched in the whole mesh.
     search(positions, missing());
     collect();
-    if (inside == inside_before)
-      return;
+    if (inside < inside_before)
+      throw_lost(positions);
+  }
+
+  void ImmersedPoints::throw_lost(const std::vector<Position> &positions) const
+  {
     std::ostringstream text;
     text << "a point of an immersed surface has left the fluid, at "
          << dealii::Point<3>(positions[missing().front()]);

@@ -12,7 +12,11 @@ namespace semilunar::mesh
                       typename dealii::Triangulation<dim>::MeshSmoothing(
                           dealii::Triangulation<dim>::limit_level_difference_at_vertices |
                           dealii::Triangulation<dim>::smoothing_on_refinement |
-                          dealii::Triangulation<dim>::smoothing_on_coarsening))
+                          dealii::Triangulation<dim>::smoothing_on_coarsening),
+                      // the order of cells, and with it rounding, depends on the mesh alone and not
+                      // on how it came about: a run that is loaded goes on bit for bit
+                      dealii::parallel::distributed::Triangulation<
+                          dim>::mesh_reconstruction_after_repartitioning)
   {
   }
 

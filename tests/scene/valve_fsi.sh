@@ -25,7 +25,7 @@ expect_between one largest_power_imbalance 0 1e-8
 expect_between one iterations_per_step 1 2
 expect_between one rejected_steps 0 0
 expect_between one largest_pressure_difference 0.5 3
-[[ $(wc -l <one/timeseries.csv) -eq 5 ]] || failed "rows of the time series"
+[[ $(wc -l <one/timeseries.csv) -eq 6 ]] || failed "rows of the time series"
 for file in one/shell.pvd one/flow.pvd one/wall.pvd one/profile.csv one/free_edge.csv; do
   [[ -s $file ]] || failed "there is no $file"
 done

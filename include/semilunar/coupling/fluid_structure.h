@@ -59,6 +59,9 @@ namespace semilunar::coupling
     /// [dyn/cm^2].
     const std::vector<double> &multipliers() const { return lambda; }
     void set_multipliers(const std::vector<double> &values) { lambda = values; }
+    /// What comes next depends on nothing but the states of flow and shell and the multipliers, bit
+    /// for bit, and not on where points and marked cells were before. Collective.
+    void forget_history();
     const ImmersedPoints *shell_points() const { return in_shell.get(); }
     const ImmersedPoints *rigid_points() const { return in_rigid.get(); }
     const CellsNearSurfaces &marked_cells() const { return near; }

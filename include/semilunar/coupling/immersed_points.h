@@ -24,7 +24,8 @@ namespace semilunar::coupling
     /// @throws NumericsError on all ranks if a point that was in the fluid has left it
     void move(const std::vector<Position> &positions);
 
-    /// Find all points anew after the mesh was refined. Collective.
+    /// Find all points anew, as after the mesh was refined, wherever they were before. Collective.
+    /// @throws NumericsError on all ranks if a point that was in the fluid is not found
     void search_again(const std::vector<Position> &positions);
 
     /// A point in a cell of this rank.
@@ -56,6 +57,8 @@ namespace semilunar::coupling
     void hand_over(const std::vector<Position> &positions, const std::vector<Held> &leaving);
     void collect();
     std::vector<unsigned int> missing() const;
+    void search_all(const std::vector<Position> &positions);
+    [[noreturn]] void throw_lost(const std::vector<Position> &positions) const;
 
     const flow::FlowSolver<3> &flow;
     const MPI_Comm communicator;

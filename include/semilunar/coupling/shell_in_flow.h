@@ -77,6 +77,12 @@ namespace semilunar::coupling
     struct State
     {
       Vector u, u_old, v, v_old;
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &u &u_old &v &v_old;
+      }
     };
     State state() const { return {u, u_old, v, v_old}; }
     void set_state(const State &state);

@@ -2,19 +2,11 @@
 #ifndef semilunar_scene_fsi_simulation_h
 #define semilunar_scene_fsi_simulation_h
 
-#include <semilunar/coupling/fluid_structure.h>
-#include <semilunar/mesh/mesh.h>
-#include <semilunar/output/cross_section.h>
-#include <semilunar/output/time_series.h>
-#include <semilunar/output/velocity_dofs.h>
-#include <semilunar/scene/flow_through_valve.h>
-#include <semilunar/scene/shell_output.h>
-#include <semilunar/scene/valve_fsi.h>
-#include <semilunar/scene/valve_motion.h>
+#include <semilunar/scene/fsi_record.h>
 
 namespace semilunar::scene
 {
-  /// A valve in flowing blood from its start to its end, with all output.
+  /// A run of a valve in flowing blood: steps, their control, and checkpoints.
   class FsiSimulation
   {
   public:
@@ -26,46 +18,16 @@ namespace semilunar::scene
   private:
     const ValveFsiParameters &prm;
     RunContext &context;
+    ValveInBlood valve;
+    std::unique_ptr<FsiRecord> record;        ///< null on a dry run
+    std::unique_ptr<Checkpoints> checkpoints; ///< null on a dry run
+    double next_dt;                           ///< [s]
 
-    // The structure.
-    std::unique_ptr<ShellModel> model;
-    const shell::Mass mass;
-    const std::unique_ptr<mesh::Mesh<3>> mesh;
-    const shell::QuadraturePoints points; ///< at which leaflets and blood hold each other
-    coupling::ShellInFlow shell;
-
-    // The blood.
-    const dealii::MappingQ<3> mapping;
-    const flow::BoundaryConditions<3> conditions;
-    flow::FlowSolver<3> flow;
-    std::unique_ptr<coupling::FluidStructure> coupled;
-
-    // What is written.
-    output::VelocityDofs<3> velocity_dofs;
-    std::array<output::CrossSection<3>, 2> sections;
-    ValveMotion motion;
-    output::TimeSeries series;
-    std::unique_ptr<ShellOutput> shell_files;
-    std::unique_ptr<output::FlowVtu<3>> flow_files;
-    FlowThroughValve flow_through;
-    double next_row = 0., next_shell_file = 0., next_flow_file = 0., last_dt = 0.;
-    std::string last_file;
-    /// Largest relative imbalance of power, and largest penetration [cm], so far.
-    double largest_imbalance = 0., largest_penetration = 0.;
-    unsigned int n_iterations = 0, n_rejected = 0;
-
-    double cell_width_at_valve() const;
-    unsigned int n_points_per_direction(const spline::Surface &surface) const;
-    coupling::SurfacePoints stent_points() const;
-    void report_size() const;
-    coupling::CoupledReport step(double &dt);
-    void finish_step(const coupling::CoupledReport &report);
-    void add_row(const coupling::CoupledReport &report, double pressure_difference);
-    void write_shell();
-    void write_flow();
-    output::FlowState<3> state() const;
-    shell::ControlVectors positions() const { return shell.positions(shell.displacement()); }
-    void add_quantities();
+    void prepare_record();
+    void go_on();
+    bool at_end() const;
+    coupling::CoupledReport step();
+    void save_if_due();
   };
 } // namespace semilunar::scene
 

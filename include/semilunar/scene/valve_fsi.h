@@ -54,6 +54,7 @@ namespace semilunar::scene
       return "Mesh/Artery/Cells around * 2; Valve/Elements along * 2; Valve/Elements across * 2; "
              "Time/Step / 2";
     }
+    bool can_restart() const override { return true; }
     void check() const override { parameters.check(); }
     void run(RunContext &context) override;
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_scene_valve_in_blood_h
+#define semilunar_scene_valve_in_blood_h
+
+#include <semilunar/coupling/fluid_structure.h>
+#include <semilunar/mesh/mesh.h>
+#include <semilunar/output/flow_state.h>
+#include <semilunar/output/velocity_dofs.h>
+#include <semilunar/scene/valve_fsi.h>
+
+#include <deal.II/fe/mapping_q.h>
+
+namespace semilunar::scene
+{
+  /// Leaflets, stent and blood in an artery with rigid walls: what moves, and its checkpoints.
+  class ValveInBlood
+  {
+  public:
+    /// @throws InputError for parameters that do not fit each other
+    ValveInBlood(const ValveFsiParameters &parameters, Timers &timers);
+    ValveInBlood(const ValveInBlood &) = delete;
+
+    /// One step. @throws NumericsError; then the state is that before the step
+    coupling::CoupledReport advance(double dt);
+
+    /// What a step would report of the state at the start. Collective.
+    coupling::CoupledReport at_rest() const;
+
+    double time() const { return flow.time(); }
+    /// Length of the last step [s].
+    double last_step() const { return last_dt; }
+    ShellModel &leaflets() const { return *model; }
+    /// Of the control points of the leaflets.
+    shell::ControlVectors positions() const { return shell.positions(shell.displacement()); }
+    double kinetic_energy() const { return shell.kinetic_energy(); }
+    output::FlowState<3> blood() const;
+    const mesh::Mesh<3> &artery() const { return *mesh; }
+
+    unsigned long long n_unknowns() const;
+    unsigned int n_points() const { return points.n_points(); }
+    /// Lines about the sizes of all parts.
+    void report_size(Log &log) const;
+
+    /// Tell checkpoints about the state.
+    void add_to(Checkpoints &checkpoints);
+    /// What a checkpoint must have in common with this valve.
+    std::string fit() const;
+    /// From here on everything depends on what checkpoints hold alone, bit for bit: to be called
+    /// after one was written, and after one was restored. Collective.
+    void forget_history();
+
+  private:
+    const ValveFsiParameters &prm;
+
+    // The structure.
+    const std::unique_ptr<ShellModel> model;
+    const shell::Mass mass;
+    const std::unique_ptr<mesh::Mesh<3>> mesh;
+    const shell::QuadraturePoints points; ///< at which leaflets and blood hold each other
+    coupling::ShellInFlow shell;
+
+    // The blood.
+    const dealii::MappingQ<3> mapping;
+    const flow::BoundaryConditions<3> conditions;
+    flow::FlowSolver<3> flow;
+    std::unique_ptr<coupling::FluidStructure> coupled;
+    std::unique_ptr<output::VelocityDofs<3>> velocity_dofs;
+    double last_dt = 0.;
+
+    double cell_width_at_valve() const;
+    unsigned int n_points_per_direction(const spline::Surface &surface) const;
+    coupling::SurfacePoints stent_points() const;
+    void save_structure(std::ostream &out) const;
+    void load_structure(std::istream &in);
+    void save_flow(const std::filesystem::path &folder);
+    void load_flow(const std::filesystem::path &folder);
+  };
+} // namespace semilunar::scene
+
+#endif

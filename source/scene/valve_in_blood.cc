@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/archive.h>
+#include <semilunar/core/exceptions.h>
+#include <semilunar/core/first_rank.h>
+#include <semilunar/core/units.h>
+#include <semilunar/mesh/quality.h>
+#include <semilunar/scene/valve_in_blood.h>
+#include <semilunar/valve/stent.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace semilunar::scene
+{
+  namespace
+  {
+    std::unique_ptr<ShellModel> make_model(const ValveFsiParameters &prm, Timers &timers)
+    {
+      const Timers::Scope timer(timers, "set-up");
+      ShellParameters shell;
+      shell.section = prm.section;
+      shell.supports = prm.supports;
+      shell.contact = prm.contact;
+      return std::make_unique<ShellModel>(prm.source.build(), shell, timers);
+    }
+  } // namespace
+
+  ValveInBlood::ValveInBlood(const ValveFsiParameters &parameters, Timers &timers)
+      : prm(parameters), model(make_model(prm, timers)),
+        mass(model->surface, model->points, prm.section.mass_per_area()),
+        mesh(mesh::make_mesh<3>(prm.mesh, MPI_COMM_WORLD)),
+        points(model->surface, n_points_per_direction(model->surface)),
+        shell(model->surface, points, model->equations, model->equilibrium, mass),
+        mapping(prm.flow.degree), conditions(prm.boundaries.conditions<3>(*mesh, {}, {})),
+        flow(prm.flow, mesh->triangulation, mapping, conditions, timers),
+        velocity_dofs(std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs()))
+  {
+    const Timers::Scope timer(timers, "set-up");
+    flow.initialise(
+        0., [](const auto &, double) { return dealii::Tensor<1, 3>(); },
+        [this](const auto &, double) { return mmHg * prm.initial_pressure; });
+    coupled = std::make_unique<coupling::FluidStructure>(
+        flow, coupling::ImmersedShell{&shell, model->surface, points, prm.section.mass_per_area()},
+        stent_points(), prm.flow.density, prm.coupling, timers);
+    if (coupled->shell_points()->n_inside() < points.n_points())
+      throw InputError("Valve", "", "a part of the leaflets lies outside of the artery",
+                       "make the artery wider than the valve");
+  }
+
+  double ValveInBlood::cell_width_at_valve() const
+  {
+    const double top = prm.source.design.commissure_height, radius = prm.source.design.radius;
+    double smallest = std::numeric_limits<double>::max();
+    for (const auto &cell : mesh->triangulation.active_cell_iterators())
+    {
+      const auto centre = cell->center();
+      if (cell->is_locally_owned() && centre[2] > 0. && centre[2] < top &&
+          std::hypot(centre[0], centre[1]) < radius)
+        smallest = std::min(smallest, std::cbrt(cell->measure()));
+    }
+    return dealii::Utilities::MPI::min(smallest, MPI_COMM_WORLD);
+  }
+
+  unsigned int ValveInBlood::n_points_per_direction(const spline::Surface &surface) const
+  {
+    // Of the largest element: one side of a square of its area.
+    const shell::QuadraturePoints gauss(surface);
+    double largest = 0.;
+    for (unsigned int e = 0; e < surface.elements.size(); ++e)
+    {
+      double area = 0.;
+      for (unsigned int q = gauss.first_point(e); q < gauss.first_point(e + 1); ++q)
+        area += gauss.weight(q);
+      largest = std::max(largest, std::sqrt(area));
+    }
+    constexpr unsigned int fewest = 2;
+    return std::max(fewest, static_cast<unsigned int>(std::ceil(
+                                largest * prm.coupling.points_per_cell / cell_width_at_valve())));
+  }
+
+  coupling::SurfacePoints ValveInBlood::stent_points() const
+  {
+    if (!prm.has_stent)
+      return {};
+    const spline::Surface stent = valve::stent(prm.source.design);
+    const shell::QuadraturePoints stent_points(stent, n_points_per_direction(stent));
+    return coupling::surface_points(stent, stent_points, spline::positions(stent));
+  }
+
+  coupling::CoupledReport ValveInBlood::advance(const double dt)
+  {
+    const coupling::CoupledReport report = coupled->advance(dt);
+    last_dt = report.flow.dt;
+    return report;
+  }
+
+  coupling::CoupledReport ValveInBlood::at_rest() const
+  {
+    coupling::CoupledReport report;
+    for (const auto &[id, condition] : conditions.all())
+      if (condition.kind == flow::BoundaryConditions<3>::Kind::open)
+      {
+        report.flow.flow_rate[id] = flow.flow_rate(id);
+        report.flow.mean_pressure[id] = flow.mean_pressure(id);
+      }
+    return report;
+  }
+
+  output::FlowState<3> ValveInBlood::blood() const
+  {
+    return {flow.mapping(),
+            velocity_dofs->handler(),
+            flow.spaces().pressure_dofs(),
+            flow.velocity(),
+            flow.pressure(),
+            prm.flow.density,
+            prm.flow.viscosity,
+            flow.time(),
+            last_dt};
+  }
+
+  unsigned long long ValveInBlood::n_unknowns() const
+  {
+    return velocity_dofs->handler().n_dofs() + flow.spaces().pressure_dofs().n_dofs() +
+           model->equations.n_equations();
+  }
+
+  void ValveInBlood::report_size(Log &log) const
+  {
+    scene::report_size(*model, log);
+    const mesh::Quality quality = mesh::measure<3>(mesh->triangulation, mapping);
+    log.line(mesh::describe(quality) + ", " + std::to_string(n_unknowns()) + " unknowns in all");
+    std::string text = std::to_string(points.n_points()) + " immersed points of the leaflets";
+    if (const auto *rigid = coupled->rigid_points())
+      text += ", " + std::to_string(rigid->n_inside()) + " of the stent's " +
+              std::to_string(rigid->n_points()) + " (the others lie in the wall)";
+    log.line(text);
+  }
+
+  std::string ValveInBlood::fit() const
+  {
+    return "a valve of " + std::to_string(model->surface.elements.size()) + " elements and " +
+           std::to_string(model->equations.n_equations()) + " equations in an artery of " +
+           std::to_string(mesh->triangulation.n_cells(0)) + " coarse cells";
+  }
+
+  void ValveInBlood::add_to(Checkpoints &checkpoints)
+  {
+    checkpoints.add(
+        "structure", [this](std::ostream &out) { save_structure(out); },
+        [this](std::istream &in) { load_structure(in); });
+    checkpoints.add_object("contact", *model->contact);
+    checkpoints.add_distributed(
+        "flow", [this](const std::filesystem::path &folder) { save_flow(folder); },
+        [this](const std::filesystem::path &folder) { load_flow(folder); });
+  }
+
+  void ValveInBlood::save_structure(std::ostream &out) const
+  {
+    const coupling::ShellInFlow::State state = shell.state();
+    boost::archive::binary_oarchive archive(out);
+    archive << state << coupled->multipliers() << last_dt;
+  }
+
+  void ValveInBlood::load_structure(std::istream &in)
+  {
+    coupling::ShellInFlow::State state;
+    std::vector<double> multipliers;
+    boost::archive::binary_iarchive archive(in);
+    archive >> state >> multipliers >> last_dt;
+    shell.set_state(state);
+    coupled->set_multipliers(multipliers);
+  }
+
+  void ValveInBlood::save_flow(const std::filesystem::path &folder)
+  {
+    const std::vector<double> numbers = flow.save_state();
+    mesh->triangulation.save((folder / "mesh").string());
+    on_first_rank(
+        [&]()
+        {
+          std::ofstream file(folder / "numbers", std::ios::binary);
+          boost::archive::binary_oarchive(file) << numbers;
+        });
+  }
+
+  void ValveInBlood::load_flow(const std::filesystem::path &folder)
+  {
+    velocity_dofs.reset(); // its handler must not see the mesh change
+    mesh->triangulation.load((folder / "mesh").string());
+    std::vector<double> numbers;
+    std::ifstream file(folder / "numbers", std::ios::binary);
+    boost::archive::binary_iarchive(file) >> numbers;
+    flow.load_state(numbers);
+    velocity_dofs = std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs());
+  }
+
+  void ValveInBlood::forget_history()
+  {
+    model->equilibrium.forget_history();
+    coupled->forget_history();
+  }
+} // namespace semilunar::scene
