@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
+#include <semilunar/flow/hessenberg_least_squares.h>
 #include <semilunar/flow/saddle_point_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -180,6 +181,30 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  std::vector<double> SaddlePointSolver<dim>::orthonormalise(FlowVector &v,
+                                                             const unsigned int n) const
+  {
+    // Classical Gram-Schmidt: one reduction for all products, twice where digits were lost.
+    std::vector<double> column(n + 1, 0.);
+    double before, after;
+    do
+    {
+      const std::vector<double> h = products(v, n);
+      before = h[n];
+      after = before;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        add(v, -h[i], basis[i]);
+        column[i] += h[i];
+        after -= h[i] * h[i];
+      }
+    } while (after < 1e-2 * before && after > 1e-28 * before);
+    column[n] = norm(v);
+    scale(v, 1. / column[n]);
+    return column;
+  }
+
+  template <int dim>
   unsigned int SaddlePointSolver<dim>::iterate(FlowVector &x, const FlowVector &r,
                                                const double target,
                                                const unsigned int max_iterations, double &size)
@@ -187,64 +212,26 @@ namespace semilunar::flow
     const unsigned int m = std::min(max_basis, max_iterations);
     if (basis.empty())
       basis.push_back(work);
-    std::vector<std::vector<double>> triangle;        // columns of R
-    std::vector<double> cosine, sine, right(1, size); // Givens rotations, Q^T b
     basis[0] = r;
     scale(basis[0], 1. / size);
-    unsigned int j = 0;
-    while (j < m && std::abs(right[j]) > target)
+    HessenbergLeastSquares projected(size);
+    unsigned int n = 0;
+    while (n < m && projected.residual() > target)
     {
-      if (directions.size() <= j)
+      if (directions.size() <= n)
         directions.push_back(work);
-      if (basis.size() <= j + 1)
+      if (basis.size() <= n + 1)
         basis.push_back(work);
-      precondition(directions[j], basis[j]);
-      FlowVector &v = basis[j + 1];
-      equations.vmult(v, directions[j]);
-
-      // Classical Gram-Schmidt: one reduction for all products, twice where digits were lost.
-      std::vector<double> column(j + 2, 0.);
-      double before, after;
-      do
-      {
-        const std::vector<double> h = products(v, j + 1);
-        before = h[j + 1];
-        after = before;
-        for (unsigned int i = 0; i <= j; ++i)
-        {
-          add(v, -h[i], basis[i]);
-          column[i] += h[i];
-          after -= h[i] * h[i];
-        }
-      } while (after < 1e-2 * before && after > 1e-28 * before);
-      column[j + 1] = norm(v);
-      scale(v, 1. / column[j + 1]);
-
-      for (unsigned int i = 0; i < j; ++i)
-      {
-        const double rotated = cosine[i] * column[i] + sine[i] * column[i + 1];
-        column[i + 1] = -sine[i] * column[i] + cosine[i] * column[i + 1];
-        column[i] = rotated;
-      }
-      const double length = std::hypot(column[j], column[j + 1]);
-      cosine.push_back(column[j] / length);
-      sine.push_back(column[j + 1] / length);
-      column[j] = length;
-      right.push_back(-sine[j] * right[j]);
-      right[j] *= cosine[j];
-      triangle.push_back(column);
-      ++j;
+      precondition(directions[n], basis[n]);
+      equations.vmult(basis[n + 1], directions[n]);
+      projected.add_column(orthonormalise(basis[n + 1], n + 1));
+      ++n;
     }
-
-    size = std::abs(right[j]);
-    for (unsigned int i = j; i-- > 0;)
-    {
-      for (unsigned int k = i + 1; k < j; ++k)
-        right[i] -= triangle[k][i] * right[k];
-      right[i] /= triangle[i][i];
-      add(x, right[i], directions[i]);
-    }
-    return j;
+    size = projected.residual();
+    const std::vector<double> y = projected.solution();
+    for (unsigned int i = 0; i < n; ++i)
+      add(x, y[i], directions[i]);
+    return n;
   }
 
   template class SaddlePointSolver<2>;

@@ -79,6 +79,16 @@ namespace semilunar::flow
     template <bool newton>
     void add_jacobian_of(const Vector &velocity, const Vector &pressure, Vector &momentum,
                          Vector &continuity) const;
+    /// At a Gauss point: from u, du, p, dp to what their test functions are integrated with, in
+    /// their place.
+    template <bool newton>
+    void jacobian_at_point(unsigned int batch, int q, VectorValues &u, Gradients &du, Values &p,
+                           const VectorValues &dp) const;
+    /// The same for the residual. @param past history at the points @param gradients physical
+    /// @param fluxes result of du
+    void residual_at_point(unsigned int batch, int q, const VectorValues &past,
+                           const Gradients &gradients, const VectorValues &laplacian,
+                           const VectorValues &dp, VectorValues &u, Gradients &fluxes, Values &p);
     /// Laplacian of the velocity at the points from its physical gradients.
     void laplacian(unsigned int batch, const Gradients &gradients, VectorValues &result) const;
     void linearise_batch(unsigned int batch, const typename CellForms<dim>::Linearisation &about);

@@ -171,7 +171,6 @@ namespace semilunar::flow
                                                        const Vector &pressure, Vector &momentum,
                                                        Vector &continuity) const
   {
-    const double rho = prm.density, mu = prm.viscosity, mu_transposed = stress_form ? mu : 0.;
     for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
     {
       VectorValues u, dp;
@@ -180,50 +179,58 @@ namespace semilunar::flow
       read(batch, velocity, u);
       evaluate(u, du);
       evaluate_pressure(batch, pressure, p, dp);
-
       for (int q = 0; q < n_points; ++q)
-      {
-        const GeometryPoint &point = geometry(batch, q);
-        const AdvectionPoint &adv = advection(batch, q);
-        Lanes gradient[dim][dim], pressure_gradient[dim], value[dim];
-        Lanes divergence = Lanes{};
-        for (int c = 0; c < dim; ++c)
-        {
-          physical_gradient(du[c], q, point.inverse, gradient[c]);
-          divergence += gradient[c][c];
-          value[c] = u[c][q];
-        }
-        physical_gradient(dp, q, point.inverse, pressure_gradient);
-
-        Lanes flux[dim][dim];
-        viscous_flux(gradient, mu, mu_transposed, grad_div[batch] * divergence - p[q], flux);
-        for (int c = 0; c < dim; ++c)
-        {
-          Lanes momentum_change = rho * (inertia * value[c] + dot(adv.w, gradient[c]));
-          Lanes tested = momentum_change + adv.skew * value[c];
-          if constexpr (newton)
-          {
-            const NewtonPoint &old = newton_points[std::size_t(batch) * n_points + q];
-            const Lanes reaction = rho * dot(value, old.gradient[c]);
-            momentum_change += reaction;
-            tested += reaction;
-            if (skew_form)
-              tested += 0.5 * rho * divergence * old.velocity[c];
-            const Lanes along = adv.tau * old.strong_residual[c];
-            for (int e = 0; e < dim; ++e)
-              flux[c][e] += along * value[e];
-          }
-          const Lanes along = adv.tau * (momentum_change + pressure_gradient[c]);
-          for (int e = 0; e < dim; ++e)
-            flux[c][e] += along * adv.w[e];
-          u[c][q] = tested * point.jxw;
-          reference_flux(flux[c], q, point.inverse, point.jxw, du[c]);
-        }
-        p[q] = -divergence * point.jxw;
-      }
+        jacobian_at_point<newton>(batch, q, u, du, p, dp);
       integrate(batch, u, du, momentum);
       integrate_pressure(batch, p, continuity);
     }
+  }
+
+  template <int dim, int degree>
+  template <bool newton>
+  DEAL_II_ALWAYS_INLINE inline void
+  CellFormsOfDegree<dim, degree>::jacobian_at_point(const unsigned int batch, const int q,
+                                                    VectorValues &u, Gradients &du, Values &p,
+                                                    const VectorValues &dp) const
+  {
+    const GeometryPoint &point = geometry(batch, q);
+    const AdvectionPoint &adv = advection(batch, q);
+    const double rho = prm.density, mu = prm.viscosity;
+    Lanes gradient[dim][dim], pressure_gradient[dim], value[dim];
+    Lanes divergence = Lanes{};
+    for (int c = 0; c < dim; ++c)
+    {
+      physical_gradient(du[c], q, point.inverse, gradient[c]);
+      divergence += gradient[c][c];
+      value[c] = u[c][q];
+    }
+    physical_gradient(dp, q, point.inverse, pressure_gradient);
+
+    Lanes flux[dim][dim];
+    viscous_flux(gradient, mu, stress_form ? mu : 0., grad_div[batch] * divergence - p[q], flux);
+    for (int c = 0; c < dim; ++c)
+    {
+      Lanes momentum_change = rho * (inertia * value[c] + dot(adv.w, gradient[c]));
+      Lanes tested = momentum_change + adv.skew * value[c];
+      if constexpr (newton)
+      {
+        const NewtonPoint &old = newton_points[std::size_t(batch) * n_points + q];
+        const Lanes reaction = rho * dot(value, old.gradient[c]);
+        momentum_change += reaction;
+        tested += reaction;
+        if (skew_form)
+          tested += 0.5 * rho * divergence * old.velocity[c];
+        const Lanes along = adv.tau * old.strong_residual[c];
+        for (int e = 0; e < dim; ++e)
+          flux[c][e] += along * value[e];
+      }
+      const Lanes along = adv.tau * (momentum_change + pressure_gradient[c]);
+      for (int e = 0; e < dim; ++e)
+        flux[c][e] += along * adv.w[e];
+      u[c][q] = tested * point.jxw;
+      reference_flux(flux[c], q, point.inverse, point.jxw, du[c]);
+    }
+    p[q] = -divergence * point.jxw;
   }
 
   template <int dim, int degree>
@@ -280,7 +287,6 @@ namespace semilunar::flow
                                                     const Vector &history, Vector &momentum,
                                                     Vector &continuity)
   {
-    const double rho = prm.density, mu = prm.viscosity, mu_transposed = stress_form ? mu : 0.;
     for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
     {
       VectorValues u, past, dp, viscous = {};
@@ -302,51 +308,58 @@ namespace semilunar::flow
         }
       if (prm.supg && advects)
         laplacian(batch, gradients, viscous);
-
       for (int q = 0; q < n_points; ++q)
-      {
-        const GeometryPoint &point = geometry(batch, q);
-        const AdvectionPoint &adv = advection(batch, q);
-        const std::size_t index = std::size_t(batch) * n_points + q;
-        Lanes gradient[dim][dim], pressure_gradient[dim];
-        Lanes divergence = Lanes{};
-        for (int c = 0; c < dim; ++c)
-        {
-          for (int e = 0; e < dim; ++e)
-            gradient[c][e] = gradients[c][e][q];
-          divergence += gradient[c][c];
-        }
-        physical_gradient(dp, q, point.inverse, pressure_gradient);
-
-        Lanes isotropic = grad_div[batch] * divergence - p[q];
-        if (!accumulated.empty())
-          isotropic -= accumulated[index];
-        Lanes flux[dim][dim];
-        viscous_flux(gradient, mu, mu_transposed, isotropic, flux);
-        for (int c = 0; c < dim; ++c)
-        {
-          Lanes momentum_change = rho * (inertia * u[c][q] + past[c][q] + dot(adv.w, gradient[c]));
-          if (!force.empty())
-            momentum_change -= force[index * dim + c];
-          const Lanes strong = momentum_change + pressure_gradient[c] - mu * viscous[c][q];
-          for (int e = 0; e < dim; ++e)
-            flux[c][e] += adv.tau * strong * adv.w[e];
-          if (newton)
-          {
-            NewtonPoint &store = newton_points[index];
-            store.velocity[c] = u[c][q];
-            store.strong_residual[c] = strong;
-            for (int e = 0; e < dim; ++e)
-              store.gradient[c][e] = gradient[c][e];
-          }
-          u[c][q] = (momentum_change + adv.skew * u[c][q]) * point.jxw;
-          reference_flux(flux[c], q, point.inverse, point.jxw, du[c]);
-        }
-        p[q] = -divergence * point.jxw;
-      }
+        residual_at_point(batch, q, past, gradients, viscous, dp, u, du, p);
       integrate(batch, u, du, momentum);
       integrate_pressure(batch, p, continuity);
     }
+  }
+
+  template <int dim, int degree>
+  DEAL_II_ALWAYS_INLINE inline void CellFormsOfDegree<dim, degree>::residual_at_point(
+      const unsigned int batch, const int q, const VectorValues &past, const Gradients &gradients,
+      const VectorValues &laplacian, const VectorValues &dp, VectorValues &u, Gradients &fluxes,
+      Values &p)
+  {
+    const GeometryPoint &point = geometry(batch, q);
+    const AdvectionPoint &adv = advection(batch, q);
+    const std::size_t index = std::size_t(batch) * n_points + q;
+    const double rho = prm.density, mu = prm.viscosity;
+    Lanes gradient[dim][dim], pressure_gradient[dim];
+    Lanes divergence = Lanes{};
+    for (int c = 0; c < dim; ++c)
+    {
+      for (int e = 0; e < dim; ++e)
+        gradient[c][e] = gradients[c][e][q];
+      divergence += gradient[c][c];
+    }
+    physical_gradient(dp, q, point.inverse, pressure_gradient);
+
+    Lanes isotropic = grad_div[batch] * divergence - p[q];
+    if (!accumulated.empty())
+      isotropic -= accumulated[index];
+    Lanes flux[dim][dim];
+    viscous_flux(gradient, mu, stress_form ? mu : 0., isotropic, flux);
+    for (int c = 0; c < dim; ++c)
+    {
+      Lanes momentum_change = rho * (inertia * u[c][q] + past[c][q] + dot(adv.w, gradient[c]));
+      if (!force.empty())
+        momentum_change -= force[index * dim + c];
+      const Lanes strong = momentum_change + pressure_gradient[c] - mu * laplacian[c][q];
+      for (int e = 0; e < dim; ++e)
+        flux[c][e] += adv.tau * strong * adv.w[e];
+      if (newton)
+      {
+        NewtonPoint &store = newton_points[index];
+        store.velocity[c] = u[c][q];
+        store.strong_residual[c] = strong;
+        for (int e = 0; e < dim; ++e)
+          store.gradient[c][e] = gradient[c][e];
+      }
+      u[c][q] = (momentum_change + adv.skew * u[c][q]) * point.jxw;
+      reference_flux(flux[c], q, point.inverse, point.jxw, fluxes[c]);
+    }
+    p[q] = -divergence * point.jxw;
   }
 
   template <int dim, int degree>

@@ -2,10 +2,9 @@
 #ifndef semilunar_flow_flow_solver_h
 #define semilunar_flow_flow_solver_h
 
+#include <semilunar/flow/mesh_nodes.h>
 #include <semilunar/flow/saddle_point_solver.h>
 #include <semilunar/flow/state_transfer.h>
-
-#include <deal.II/fe/mapping_q_cache.h>
 
 namespace semilunar::flow
 {
@@ -76,13 +75,13 @@ namespace semilunar::flow
     const Spaces<dim> &spaces() const { return space; }
     const Vector &velocity() const { return state.velocity; }
     const Vector &pressure() const { return state.pressure; }
-    const Vector &positions() const { return nodes; }
+    const Vector &positions() const { return nodes.positions(); }
     /// uhat at the nodes; zero on a mesh that does not move
-    const Vector &mesh_velocity() const { return node_velocity; }
+    const Vector &mesh_velocity() const { return nodes.velocity(); }
     /// One component on velocity_dofs(), ghosted.
     Vector velocity_component(unsigned int c) const;
     /// Of the current positions.
-    const dealii::Mapping<dim> &mapping() const;
+    const dealii::Mapping<dim> &mapping() const { return nodes.mapping(); }
 
     /// Refine and coarsen the cells that are flagged and carry the state over, between two steps.
     /// Points and marked cells have to be set again; what was accumulated in cells is carried over.
@@ -109,42 +108,41 @@ namespace semilunar::flow
     SaddlePointSolver<dim> &preconditioner() { return linear_solver; }
 
   private:
-    void make_nodes();
-    Vector interpolate(const VectorFunction<dim> &function, const Vector &at, double time) const;
     void reinit_vectors();
+    Vector positions_at(double time) const;
     void evaluate_geometry();
-    typename StateTransfer<dim>::State transferred_state();
-    void renew();
+    /// Weights, linearisation and first guess. @return the norm of residuals that are rounding
+    double prepare_solution();
     void first_guess();
-    unsigned int nonlinear_iteration(double target, bool newton);
-    bool moving() const { return mesh_moves; }
-    StepReport report() const;
+    void iterate(double target);
+    /// Solve for the change of the state with its residual.
+    void add_linear_solution(double target);
+    typename StateTransfer<dim>::State transferred_state(bool mesh_moves);
+    /// The state was transferred to the space on a new mesh.
+    void renew(bool mesh_moves, bool from_displacements);
 
     const Parameters prm;
     Timers &timers;
     const BoundaryConditions<dim> conditions;
     dealii::parallel::distributed::Triangulation<dim> &triangulation;
-    const std::unique_ptr<dealii::Mapping<dim>> reference_mapping;
     Spaces<dim> space;
     StateTransfer<dim> transfer;
+    MeshNodes<dim> nodes;
     Equations<dim> equations;
     SaddlePointSolver<dim> linear_solver;
     VectorFunction<dim> body_force, mesh_motion;
 
-    // Velocities, pressures and positions at the new time (equal to the old one between steps),
-    // at the old time and before.
+    // Velocities and pressures at the new time (equal to the old one between steps), at the old
+    // time and before.
     FlowVector state, old_state, older_state;
-    Vector nodes, old_nodes, older_nodes, reference_nodes, node_velocity;
     Vector history, advecting;
     double linear_target = 0.; ///< norm of the residual that a linear solution of the step reaches
     FlowVector residual, change;
     double current_time = 0., old_dt = 0.;
     unsigned int n_steps = 0; ///< accepted since the start, or since the mesh began to count
     Bdf bdf;
-    bool mesh_moves = false, in_step = false;
+    bool in_step = false;
     StepReport current;
-    mutable dealii::MappingQCache<dim> moved_mapping;
-    mutable bool mapping_is_valid = false;
   };
 } // namespace semilunar::flow
 

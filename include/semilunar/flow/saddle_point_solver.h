@@ -42,6 +42,10 @@ namespace semilunar::flow
     /// GMRES until it starts again; size: norm of the residual r, then of what is left.
     unsigned int iterate(FlowVector &x, const FlowVector &r, double target,
                          unsigned int max_iterations, double &size);
+    /// Make v orthogonal to the first n vectors of the basis and a unit vector.
+    /// @return its coefficients in the basis and its norm: a column of the Hessenberg matrix.
+    /// Collective.
+    std::vector<double> orthonormalise(FlowVector &v, unsigned int n) const;
     /// Scalar products of v with the first n vectors of the basis, and with itself. Collective.
     std::vector<double> products(const FlowVector &v, unsigned int n) const;
 
