@@ -164,6 +164,8 @@ namespace semilunar::scene
   void FlowSimulation<dim>::go_on()
   {
     checkpoints->restore();
+    if (prm.flow.step_control == "fixed")
+      progress.dt = prm.step; // a restart may change it
     record.go_on();
     context.results.steps = progress.n_steps;
     context.results.newton_iterations = progress.n_nonlinear;
