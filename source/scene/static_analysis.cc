@@ -64,6 +64,15 @@ namespace semilunar::scene
       return text.str();
     }
 
+    /// Make the positions of the control points the state of the model, at the full load.
+    void go_on_from(shell::ControlVectors x, ShellModel &model, shell::Equilibrium::Vector &u)
+    {
+      for (unsigned int c = 0; c < x.size(); ++c)
+        x[c] -= model.surface.control_points[c].position;
+      model.equations.gather(x, u);
+      model.equilibrium.accept(u, 1.);
+    }
+
     void add_quantities(const ShellModel &model, const shell::ControlVectors &x,
                         const Probes &probes, RunResults &results)
     {
@@ -111,7 +120,8 @@ namespace semilunar::scene
     prm.leave_subsection();
   }
 
-  shell::ControlVectors StaticAnalysis::run(ShellModel &model, RunContext &context) const
+  shell::ControlVectors StaticAnalysis::run(ShellModel &model, RunContext &context,
+                                            const shell::ControlVectors *const start) const
   {
     const Probes points(probes, model.surface, "Output/Probes");
     const DisplacementLimits limits(stop_at, points.names());
@@ -121,6 +131,11 @@ namespace semilunar::scene
     report_size(model, context.log);
     context.results.unknowns = model.equations.n_equations();
     shell::Equilibrium::Vector u(model.equations.n_equations());
+    if (start != nullptr)
+    {
+      go_on_from(*start, model, u);
+      solver.n_load_steps = 1;
+    }
     if (context.dry_run)
     {
       print(report(model.surface), context.log);
@@ -129,7 +144,7 @@ namespace semilunar::scene
 
     output::TimeSeries series(context.folder, columns(points));
     ShellOutput files(context.folder, model, vtu);
-    std::string last_file = files.write(0., model.equilibrium.positions(u, 0.));
+    std::string last_file = files.write(0., spline::positions(model.surface));
     shell::ControlVectors x = spline::positions(model.surface);
     double load = 0.; // of the last accepted state
     const auto accepted = [&](const shell::LoadStep &step, const shell::Equilibrium::Vector &state)

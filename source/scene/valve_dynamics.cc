@@ -24,7 +24,7 @@ namespace semilunar::scene
 
   void ValveDynamics::check() const
   {
-    source.design.check();
+    source.check();
     analysis.check();
     pressure_table();
   }

@@ -60,7 +60,7 @@ namespace semilunar::scene
 
   void ValveFsiParameters::check() const
   {
-    source.design.check();
+    source.check();
     mesh.check(3);
     flow.check();
     if (source.leaflets == "one")

@@ -21,12 +21,23 @@ namespace semilunar::scene
 
   spline::Surface ValveSource::build() const
   {
+    check();
+    return leaflets == "one" ? valve::leaflet(design) : valve::leaflets(design);
+  }
+
+  void ValveSource::check() const
+  {
+    design.check();
     // a half turn maps an ellipse onto itself, a third of a turn does not
     if (leaflets == "one" && design.ellipticity != 1. && design.n_leaflets != 2)
       throw InputError("Valve/Modelled leaflets", leaflets,
                        "the leaflets of an oval stent differ from each other",
                        "choose all, or Ellipticity = 1");
-    return leaflets == "one" ? valve::leaflet(design) : valve::leaflets(design);
+  }
+
+  unsigned int ValveSource::n_modelled() const
+  {
+    return leaflets == "one" ? 1 : design.n_leaflets;
   }
 
   unsigned int ValveSource::n_sectors() const

@@ -59,15 +59,26 @@ namespace semilunar::scene
   {
     source.add_parameters(prm);
     analysis.add_parameters(prm);
+    adaptivity.add_parameters(prm);
   }
 
   void ValveStatics::check() const
   {
-    source.design.check();
+    source.check();
+    adaptivity.check(analysis, source.design);
   }
 
   void ValveStatics::run(RunContext &context)
   {
+    if (adaptivity.n_rounds > 0)
+    {
+      solve_adaptively(
+          source, analysis, adaptivity,
+          [this](ShellModel &model, const shell::ControlVectors &x, RunResults &results)
+          { add_quantities(model, x, results); },
+          context);
+      return;
+    }
     std::unique_ptr<ShellModel> model;
     {
       const Timers::Scope timer(context.timers, "set-up");

@@ -216,6 +216,20 @@ namespace semilunar::shell
     return resultants;
   }
 
+  double Assembly::point_response(const ControlVectors &x, const unsigned int q,
+                                  const double pressure, const Resultants &predicted,
+                                  PointResponse &response) const
+  {
+    const unsigned int e = points.element(q);
+    std::vector<double> rows;
+    gather(surface.elements[e], x, points.stride(e), rows);
+    const SurfaceJet deformed = jet(rows.data(), q);
+    const double energy = strain_response(section, deformed, undeformed_b[q], fibre_directions[q],
+                                          true, response, &predicted);
+    add_pressure(deformed, pressure, false, response);
+    return energy;
+  }
+
   SectionStrain Assembly::section_strain(const ControlVectors &x, const unsigned int q) const
   {
     const unsigned int e = points.element(q);

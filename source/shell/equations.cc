@@ -98,6 +98,17 @@ namespace semilunar::shell
                                                          : solution[numbers[3 * c + i]];
   }
 
+  void Equations::gather(const std::vector<dealii::Tensor<1, 3>> &displacements,
+                         dealii::Vector<double> &solution) const
+  {
+    AssertDimension(displacements.size(), n_control_points());
+    solution.reinit(n);
+    for (unsigned int c = 0; c < n_control_points(); ++c)
+      for (unsigned int i = 0; i < 3; ++i)
+        if (!is_prescribed(c, i))
+          solution[(*this)(c, i)] = displacements[c][i];
+  }
+
   void Equations::restrict(const std::vector<dealii::Tensor<1, 3>> &forces,
                            dealii::Vector<double> &residual) const
   {

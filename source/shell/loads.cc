@@ -112,15 +112,19 @@ namespace semilunar::shell
     return pressure + mmHg * pressure_mmhg;
   }
 
+  Tensor<1, 3> LoadParameters::dead_area_load(const double mass_per_area) const
+  {
+    return parse_vector(area_load, "Loads/Area load") +
+           mass_per_area * parse_vector(acceleration, "Loads/Acceleration");
+  }
+
   std::vector<Tensor<1, 3>> dead_forces(const spline::Surface &surface,
                                         const QuadraturePoints &points,
                                         const LoadParameters &parameters,
                                         const double mass_per_area)
   {
     std::vector<Tensor<1, 3>> forces(surface.control_points.size());
-    const Tensor<1, 3> area_load =
-        parse_vector(parameters.area_load, "Loads/Area load") +
-        mass_per_area * parse_vector(parameters.acceleration, "Loads/Acceleration");
+    const Tensor<1, 3> area_load = parameters.dead_area_load(mass_per_area);
     if (area_load.norm() > 0.)
       add_area_load(points, surface, area_load, forces);
     for (const auto &[place, load] : parse_items(parameters.point_loads, "Loads/Point loads"))

@@ -115,30 +115,6 @@ namespace semilunar::spline
       std::map<std::pair<TMesh::Point, std::array<unsigned int, 2>>, unsigned int> number;
     };
 
-    std::vector<ControlPoint> multiply(const RefinementMatrix &matrix,
-                                       const std::vector<ControlPoint> &points)
-    {
-      std::vector<ControlPoint> result;
-      for (const SparseRow &row : matrix)
-      {
-        if (row.columns.size() == 1 && row.values[0] == 1.)
-        {
-          result.push_back(points[row.columns[0]]); // to the last bit
-          continue;
-        }
-        Tensor<1, 3> sum;
-        double weight = 0.;
-        for (unsigned int k = 0; k < row.columns.size(); ++k)
-        {
-          const ControlPoint &point = points[row.columns[k]];
-          weight += row.values[k] * point.weight;
-          sum += row.values[k] * point.weight * point.position;
-        }
-        result.push_back({Point<3>(sum / weight), weight});
-      }
-      return result;
-    }
-
     void check_patch(const NurbsPatch &patch)
     {
       const unsigned int p = patch.knots(0).degree();
@@ -163,6 +139,43 @@ namespace semilunar::spline
       return knots.breakpoints().size() - 1;
     }
   } // namespace
+
+  std::vector<ControlPoint> refined(const RefinementMatrix &matrix,
+                                    const std::vector<ControlPoint> &points)
+  {
+    std::vector<ControlPoint> result;
+    for (const SparseRow &row : matrix)
+    {
+      if (row.columns.size() == 1 && row.values[0] == 1.)
+      {
+        result.push_back(points[row.columns[0]]); // to the last bit
+        continue;
+      }
+      Tensor<1, 3> sum;
+      double weight = 0.;
+      for (unsigned int k = 0; k < row.columns.size(); ++k)
+      {
+        const ControlPoint &point = points[row.columns[k]];
+        weight += row.values[k] * point.weight;
+        sum += row.values[k] * point.weight * point.position;
+      }
+      result.push_back({Point<3>(sum / weight), weight});
+    }
+    return result;
+  }
+
+  std::vector<Tensor<1, 3>> refined(const RefinementMatrix &matrix,
+                                    std::vector<ControlPoint> points,
+                                    const std::vector<Tensor<1, 3>> &positions)
+  {
+    AssertDimension(points.size(), positions.size());
+    for (unsigned int a = 0; a < points.size(); ++a)
+      points[a].position = Point<3>(positions[a]);
+    std::vector<Tensor<1, 3>> result;
+    for (const ControlPoint &point : refined(matrix, points))
+      result.push_back(point.position);
+    return result;
+  }
 
   TSpline::TSpline(const NurbsPatch &patch)
       : p(checked(patch).knots(0).degree()), breakpoints{{patch.knots(0).breakpoints(),
@@ -221,7 +234,7 @@ namespace semilunar::spline
       }
       matrix.push_back(functional(before.elements[b], weights[0], weights[1]));
     }
-    net = multiply(matrix, net);
+    net = refined(matrix, net);
     return matrix;
   }
 

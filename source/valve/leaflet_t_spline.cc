@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/valve/element_sizes.h>
 #include <semilunar/valve/leaflet_t_spline.h>
 #include <semilunar/valve/leaflets.h>
 #include <semilunar/valve/refine.h>
@@ -77,6 +78,12 @@ namespace semilunar::valve
           };
           return held(0.5, 0.5) || held(0., 0.) || held(1., 0.) || held(0., 1.) || held(1., 1.);
         });
+    if (!design.zones.sizes_file.empty())
+    {
+      const ElementSizes sizes(design.zones.sizes_file);
+      leaflet.refine_where([&](const Point<2> &low, const Point<2> &high, unsigned int)
+                           { return sizes.is_too_large(low, high); });
+    }
     return leaflet;
   }
 } // namespace semilunar::valve

@@ -18,6 +18,7 @@ namespace semilunar::valve
   using spline::Point;
   using spline::SetKind;
   using spline::Surface;
+  using spline::TSpline;
 
   namespace
   {
@@ -111,54 +112,76 @@ namespace semilunar::valve
 
   namespace
   {
-    /// The first leaflet in the circular design with the sets of to_surface().
-    Surface circular_leaflet(const Design &design)
+    /// The first leaflet in the circular design from a surface with the sets of to_surface().
+    Surface named(Surface surface)
+    {
+      surface.sets = leaflet_sets(surface);
+      name_leaflet(surface, 1);
+      return surface;
+    }
+
+    Surface named_leaflet(const TSpline &first)
+    {
+      return named(spline::to_surface(first, "Valve/T-spline"));
+    }
+
+    /// The first leaflet in the circular design, with the sets of leaflets().
+    Surface named_leaflet(const Design &design)
     {
       if (design.layout == LeafletLayout::t_spline)
-        return spline::to_surface(leaflet_t_spline(design), "Valve/T-spline");
+        return named_leaflet(leaflet_t_spline(design));
+      if (design.layout == LeafletLayout::unstructured)
+      {
+        Surface surface = leaflet_unstructured(design);
+        name_leaflet(surface, 1);
+        return surface;
+      }
       NurbsPatch patch = leaflet_patch(design);
       refine(patch, 0, design.n_elements_along);
       refine(patch, 1, design.n_elements_across);
-      return spline::to_surface(patch);
+      return named(spline::to_surface(patch));
     }
 
-    /// The same with the sets of leaflets().
-    Surface named_leaflet(const Design &design)
+    Surface deployed(Surface surface, const Design &design)
     {
-      Surface surface;
-      if (design.layout == LeafletLayout::unstructured)
-        surface = leaflet_unstructured(design);
-      else
-      {
-        surface = circular_leaflet(design);
-        surface.sets = leaflet_sets(surface);
-      }
-      name_leaflet(surface, 1);
+      deploy(surface.control_points, design);
       return surface;
+    }
+
+    /// Copies of the first leaflet of the circular design, in place.
+    Surface all_leaflets(const Surface &first, const Design &design)
+    {
+      Surface all;
+      for (unsigned int k = 0; k < design.n_leaflets; ++k)
+      {
+        Surface surface = first;
+        turn(surface.control_points, k, design.n_leaflets);
+        surface.sets.resize(first.sets.size() - 2);
+        name_leaflet(surface, k + 1);
+        const double merge_nothing = -1.;
+        spline::append(all, surface, merge_nothing);
+      }
+      return deployed(std::move(all), design);
     }
   } // namespace
 
   Surface leaflet(const Design &design)
   {
-    Surface surface = named_leaflet(design);
-    deploy(surface.control_points, design);
-    return surface;
+    return deployed(named_leaflet(design), design);
+  }
+
+  Surface leaflet(const Design &design, const TSpline &first)
+  {
+    return deployed(named_leaflet(first), design);
   }
 
   Surface leaflets(const Design &design)
   {
-    Surface all;
-    const Surface first = named_leaflet(design);
-    for (unsigned int k = 0; k < design.n_leaflets; ++k)
-    {
-      Surface surface = first;
-      turn(surface.control_points, k, design.n_leaflets);
-      surface.sets.resize(first.sets.size() - 2);
-      name_leaflet(surface, k + 1);
-      const double merge_nothing = -1.;
-      spline::append(all, surface, merge_nothing);
-    }
-    deploy(all.control_points, design);
-    return all;
+    return all_leaflets(named_leaflet(design), design);
+  }
+
+  Surface leaflets(const Design &design, const TSpline &first)
+  {
+    return all_leaflets(named_leaflet(first), design);
   }
 } // namespace semilunar::valve

@@ -51,6 +51,11 @@ namespace semilunar::valve
     add_zone(prm, "Attachment", "along the attachment edge (posts and scallop)", attachment);
     add_zone(prm, "Commissure", "around the upper ends of the posts", commissures);
     add_zone(prm, "Free edge", "along the free edge, where leaflets coapt", free_edge);
+    prm.add_parameter("Sizes file", sizes_file,
+                      "The elements.csv of a run that refined leaflets by need (section Adaptivity "
+                      "of valve statics): elements are halved until none is larger than those "
+                      "there. None if empty",
+                      Patterns::FileName());
     prm.leave_subsection();
   }
 

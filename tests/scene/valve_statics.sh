@@ -81,4 +81,22 @@ expect_sound open
 expect_between open orifice_area 1.5 3.9
 expect_between open coaptation_area 0 0
 
+# Refined by need: each round has a smaller error on more elements, and another scene takes the mesh.
+t_spline=(--set "Valve/Modelled leaflets=one" --set "Valve/Layout=T-spline"
+  --set "Valve/T-spline/Elements along=8" --set "Valve/T-spline/Elements across=6"
+  --set "Valve/T-spline/Attachment levels=0" --set "Valve/T-spline/Commissure levels=0")
+expect 0 'round 2: estimated error' "$scenes/closure.prm" --output adapted "${t_spline[@]}" \
+  --set "Adaptivity/Rounds=2"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^estimated_error/) column = i }
+         NR > 1 { good = NR == 2 || ($2 > elements && $column < error); elements = $2; error = $column
+                  if (!good) bad = 1 }
+         END { exit bad || NR != 4 }' adapted/adaptivity.csv || failed "errors do not fall: adaptivity.csv"
+expect_between adapted estimated_error 0.1 0.25
+[[ -e adapted/round-1/shell-0001.vtu ]] || failed "the second round has no folder of its own"
+elements=$(awk -F, 'END { print $2 }' adapted/adaptivity.csv)
+expect 0 "$elements elements" "$scenes/structural-cycle.prm" --dry-run "${t_spline[@]}" \
+  --set "Valve/T-spline/Sizes file=adapted/elements.csv"
+expect 1 'Adaptivity/Rounds = "1": only T-splines are refined locally' "$scenes/closure.prm" \
+  --output none --set "Adaptivity/Rounds=1"
+
 finish

@@ -23,9 +23,12 @@ namespace semilunar::scene
 
     /// Report the size of the model, unless this is a dry run bring the load on, write every
     /// accepted step, and add the general quantities of a shell.
+    /// @param start positions near the equilibrium at the full load to go on from with one load
+    /// step; null: the load is brought on from none
     /// @return the last accepted positions of the control points
     /// @throws NumericsError naming the last good state
-    shell::ControlVectors run(ShellModel &model, RunContext &context) const;
+    shell::ControlVectors run(ShellModel &model, RunContext &context,
+                              const shell::ControlVectors *start = nullptr) const;
   };
 } // namespace semilunar::scene
 

@@ -16,8 +16,12 @@ namespace semilunar::scene
     /// Declare the section Valve.
     void add_parameters(dealii::ParameterHandler &prm);
 
-    /// @throws InputError for a design that no valve can have
+    /// @throws InputError for a design that no valve can have, or whose leaflets differ from the
+    /// one that is to stand for all
+    void check() const;
     spline::Surface build() const;
+    /// Leaflets that the surface has.
+    unsigned int n_modelled() const;
     /// Of the symmetry that one leaflet stands for; 1 if all are modelled.
     unsigned int n_sectors() const;
   };

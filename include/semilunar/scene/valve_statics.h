@@ -2,6 +2,7 @@
 #ifndef semilunar_scene_valve_statics_h
 #define semilunar_scene_valve_statics_h
 
+#include <semilunar/scene/adaptivity.h>
 #include <semilunar/scene/scene.h>
 #include <semilunar/scene/static_analysis.h>
 #include <semilunar/scene/valve_source.h>
@@ -23,6 +24,7 @@ namespace semilunar::scene
   private:
     ValveSource source;
     StaticAnalysis analysis;
+    AdaptivityParameters adaptivity;
 
     void add_quantities(ShellModel &model, const shell::ControlVectors &x,
                         RunResults &results) const;

@@ -45,6 +45,11 @@ namespace semilunar::shell
     void add_conserving(const ControlVectors &from, const ControlVectors &to,
                         ControlVectors &forces) const;
 
+    /// Energy per undeformed area of a quadrature point with control points at x, and its response,
+    /// pressure included: what add() sums up. @return the energy
+    double point_response(const ControlVectors &x, unsigned int q, double pressure,
+                          const Resultants &predicted, PointResponse &response) const;
+
     /// What the section sees at any point of the surface with control points at x.
     SectionStrain section_strain(const ControlVectors &x, const spline::SurfacePoint &point) const;
     /// The same at a quadrature point.

@@ -47,6 +47,9 @@ namespace semilunar::shell
     /// Displacements of all control points, prescribed ones at this load factor.
     void expand(const dealii::Vector<double> &solution, double load_factor,
                 std::vector<dealii::Tensor<1, 3>> &displacements) const;
+    /// The free components of displacements that obey the ties: the inverse of expand().
+    void gather(const std::vector<dealii::Tensor<1, 3>> &displacements,
+                dealii::Vector<double> &solution) const;
     /// Add up the components of each equation (the transpose of expand).
     void restrict(const std::vector<dealii::Tensor<1, 3>> &forces,
                   dealii::Vector<double> &residual) const;

@@ -21,6 +21,8 @@ namespace semilunar::shell
     void add_parameters(dealii::ParameterHandler &prm);
     /// Pressure in the scene's units. @throws InputError if given twice
     double follower_pressure() const;
+    /// The dead load on the undeformed area: area load and acceleration [force/area].
+    spline::Tensor<1, 3> dead_area_load(double mass_per_area) const;
   };
 
   /// Forces on the control points that do not depend on the deformation: area load, acceleration

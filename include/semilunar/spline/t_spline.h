@@ -29,6 +29,15 @@ namespace semilunar::spline
   };
   using RefinementMatrix = std::vector<SparseRow>;
 
+  /// The control points that the matrix makes of these, (T6).
+  std::vector<ControlPoint> refined(const RefinementMatrix &matrix,
+                                    const std::vector<ControlPoint> &points);
+
+  /// The same for other positions of the control points, as those of the deformed surface.
+  std::vector<Tensor<1, 3>> refined(const RefinementMatrix &matrix,
+                                    std::vector<ControlPoint> points,
+                                    const std::vector<Tensor<1, 3>> &positions);
+
   /// A T-spline surface on a rectangular T-mesh with clamped ends, rational, of odd degree.
   class TSpline
   {

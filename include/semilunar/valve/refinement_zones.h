@@ -28,6 +28,7 @@ namespace semilunar::valve
     RefinementZone attachment{1, 0.1};   ///< posts and scallop
     RefinementZone commissures{2, 0.3};
     RefinementZone free_edge{0, 0.2};
+    std::string sizes_file; ///< of ElementSizes to refine to as well; none if empty
 
     /// Declare and bind the entries in a section T-spline.
     void add_parameters(dealii::ParameterHandler &prm);
