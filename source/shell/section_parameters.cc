@@ -6,6 +6,7 @@
 #include <semilunar/shell/materials/mooney_rivlin.h>
 #include <semilunar/shell/materials/neo_hookean.h>
 #include <semilunar/shell/materials/saint_venant_kirchhoff.h>
+#include <semilunar/shell/prestressed.h>
 #include <semilunar/shell/section_parameters.h>
 #include <semilunar/shell/through_thickness.h>
 
@@ -149,6 +150,26 @@ namespace semilunar::shell
       require(w >= 0. && w <= 1., "Lee-Sacks/Isotropic share", w, "0 to 1");
       return through_thickness(p, LeeSacks{{c0, c1, c2, c3, w}});
     }
+
+    std::unique_ptr<Section> make_material_section(const SectionParameters &p)
+    {
+      if (p.material == "Saint Venant-Kirchhoff")
+        return make_saint_venant_kirchhoff(p);
+      if (p.material == "neo-Hookean")
+      {
+        require_positive("neo-Hookean/Shear modulus", p.neo_hookean.shear_modulus);
+        return through_thickness(p, NeoHookean{{p.neo_hookean.shear_modulus}});
+      }
+      if (p.material == "Mooney-Rivlin")
+        return make_mooney_rivlin(p);
+      if (p.material == "Fung")
+        return make_fung(p);
+      if (p.material == "Lee-Sacks")
+        return make_lee_sacks(p);
+      throw InputError(
+          "Shell/Material", p.material, "unknown material law",
+          "allowed: Saint Venant-Kirchhoff, neo-Hookean, Mooney-Rivlin, Fung, Lee-Sacks");
+    }
   } // namespace
 
   void SectionParameters::add_parameters(ParameterHandler &prm)
@@ -163,6 +184,9 @@ namespace semilunar::shell
                       "bending strains above 0.1 need more than 4",
                       Patterns::Integer(2, 16));
     prm.add_parameter("Density", density, "[g/cm^3]", Patterns::Double(0.));
+    prm.add_parameter("Prestress", prestress,
+                      "Membrane force of the undeformed shell, the same in all directions, < 0: "
+                      "pressure [dyn/cm]");
     add_material_parameters(*this, prm);
     add_fibre_parameters(*this, prm);
     prm.leave_subsection();
@@ -175,22 +199,10 @@ namespace semilunar::shell
     require(n_thickness_points >= 2 && n_thickness_points <= 16, "Thickness points",
             n_thickness_points, "2 to 16 (a single point has no bending stiffness)");
 
-    if (material == "Saint Venant-Kirchhoff")
-      return make_saint_venant_kirchhoff(*this);
-    if (material == "neo-Hookean")
-    {
-      require_positive("neo-Hookean/Shear modulus", neo_hookean.shear_modulus);
-      return through_thickness(*this, NeoHookean{{neo_hookean.shear_modulus}});
-    }
-    if (material == "Mooney-Rivlin")
-      return make_mooney_rivlin(*this);
-    if (material == "Fung")
-      return make_fung(*this);
-    if (material == "Lee-Sacks")
-      return make_lee_sacks(*this);
-    throw InputError(
-        "Shell/Material", material, "unknown material law",
-        "allowed: Saint Venant-Kirchhoff, neo-Hookean, Mooney-Rivlin, Fung, Lee-Sacks");
+    std::unique_ptr<Section> section = make_material_section(*this);
+    if (prestress == 0.)
+      return section;
+    return std::make_unique<Prestressed>(std::move(section), prestress);
   }
 
   std::array<double, 2> fibre_direction(const SectionParameters &parameters,

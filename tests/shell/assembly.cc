@@ -41,18 +41,20 @@ namespace
   /// A surface of a thick material, and everything that its Assembly refers to.
   struct Shell
   {
-    Shell(const Surface &undeformed, const std::string &material, const unsigned int n_gauss = 0)
-        : surface(undeformed), points(surface, n_gauss), parameters(make_parameters(material)),
-          section(parameters.make_section()),
+    Shell(const Surface &undeformed, const std::string &material, const unsigned int n_gauss = 0,
+          const double prestress = 0.)
+        : surface(undeformed), points(surface, n_gauss),
+          parameters(make_parameters(material, prestress)), section(parameters.make_section()),
           assembly(surface, points, *section, fibres(parameters)), X(positions(surface))
     {
     }
-    static SectionParameters make_parameters(const std::string &material)
+    static SectionParameters make_parameters(const std::string &material, const double prestress)
     {
       SectionParameters p;
       p.material = material;
       p.n_thickness_points = 3;
       p.fibre.angle = 25.;
+      p.prestress = prestress;
       return p;
     }
     Vectors forces(const Vectors &x, const double pressure) const
@@ -257,6 +259,28 @@ namespace
     check("pressure on an octant", (octant - Tensor<1, 3>({quarter, quarter, quarter})).norm(),
           1e-9);
   }
+
+  /// A sphere under prestress N is in balance with the pressure 2 N / R inside, away from edges.
+  void check_soap_bubble()
+  {
+    const double N = 200., R = 1.3, pi = dealii::numbers::PI;
+    const Shell shell(refined(sphere(R, 0., 0.5 * pi, 0., 0.3 * pi), {{3, 3}}, {{4, 4}}),
+                      "neo-Hookean", 10, N);
+    std::vector<bool> at_edge(shell.X.size(), false);
+    for (const NamedSet &set : shell.surface.sets)
+      if (set.kind == SetKind::node)
+        for (const unsigned int node : set.members)
+          at_edge[node] = true;
+    const auto largest = [&](const Vectors &forces)
+    {
+      double result = 0.;
+      for (unsigned int i = 0; i < forces.size(); ++i)
+        result = std::max(result, at_edge[i] ? 0. : forces[i].norm());
+      return result;
+    };
+    check("soap bubble: forces in balance, relative",
+          largest(shell.forces(shell.X, -2. * N / R)) / largest(shell.forces(shell.X, 0.)), 1e-9);
+  }
 } // namespace
 
 int main()
@@ -271,5 +295,6 @@ int main()
   check_section_strain();
   check_pressure_on_patch();
   check_pressure_on_spheres();
+  check_soap_bubble();
   check_threads();
 }

@@ -23,7 +23,8 @@ namespace semilunar::shell
     std::string material = "Fung";
     double thickness = 0.0386; ///< [cm]
     unsigned int n_thickness_points = 4;
-    double density = 1.0; ///< [g/cm^3]
+    double density = 1.0;  ///< [g/cm^3]
+    double prestress = 0.; ///< membrane force of the undeformed shell [dyn/cm]
 
     struct
     {
