@@ -42,14 +42,15 @@ namespace semilunar::coupling
     return dealii::Utilities::MPI::max(changed ? 1 : 0, spaces.communicator()) > 0;
   }
 
-  std::vector<flow::Lanes> CellsNearSurfaces::weights(const double factor) const
+  std::vector<flow::Lanes> CellsNearSurfaces::weights(const double factor,
+                                                      const double constant) const
   {
     std::vector<flow::Lanes> result(spaces.n_batches(), flow::Lanes{});
     for (const auto &cell : spaces.velocity_dofs().active_cell_iterators())
       if (!cell->is_artificial() && is_marked[cell->active_cell_index()])
       {
         const auto [batch, lane] = spaces.lane_of(cell->active_cell_index());
-        result[batch][lane] = factor * std::pow(cell->measure(), 2. / 3.);
+        result[batch][lane] = factor * std::pow(cell->measure(), 2. / 3.) + constant;
       }
     return result;
   }

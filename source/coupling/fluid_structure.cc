@@ -28,11 +28,11 @@ namespace semilunar::coupling
   } // namespace
 
   FluidStructure::FluidStructure(flow::FlowSolver<3> &flow, const ImmersedShell &immersed,
-                                 const SurfacePoints &rigid, const double density,
+                                 const SurfacePoints &rigid, const flow::Parameters &fluid,
                                  const Parameters &parameters, Timers &timers)
       : flow(flow), communicator(flow.spaces().communicator()), immersed(immersed),
-        shell(immersed.motion), rigid(rigid), density(density), prm(parameters), timers(timers),
-        near(flow.spaces())
+        shell(immersed.motion), rigid(rigid), density(fluid.density), viscosity(fluid.viscosity),
+        prm(parameters), timers(timers), near(flow.spaces())
   {
     const Timers::Scope timer(timers, "coupling: points");
     if (shell)
@@ -101,6 +101,7 @@ namespace semilunar::coupling
 
   void FluidStructure::mark_cells(const double dt)
   {
+    constexpr double viscous_share = 16.; // k of (I7)
     if (prm.incompressibility == 0.)
       return;
     const Timers::Scope timer(timers, "coupling: marked cells");
@@ -111,7 +112,8 @@ namespace semilunar::coupling
     if (!changed && dt == weighted_dt)
       return;
     weighted_dt = dt;
-    flow.cells().set_accumulated_grad_div(near.weights(prm.incompressibility * density / dt));
+    flow.cells().set_accumulated_grad_div(near.weights(
+        prm.incompressibility * density / dt, prm.incompressibility * viscous_share * viscosity));
     flow.preconditioner().invalidate_momentum();
   }
 

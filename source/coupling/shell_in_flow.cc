@@ -2,6 +2,7 @@
 #include <semilunar/coupling/shell_in_flow.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace semilunar::coupling
@@ -42,12 +43,28 @@ namespace semilunar::coupling
     return result;
   }
 
+  unsigned int n_points_per_direction(const spline::Surface &surface, const double spacing)
+  {
+    // Of the largest element: one side of a square of its area.
+    const shell::QuadraturePoints gauss(surface);
+    double largest = 0.;
+    for (unsigned int e = 0; e < surface.elements.size(); ++e)
+    {
+      double area = 0.;
+      for (unsigned int q = gauss.first_point(e); q < gauss.first_point(e + 1); ++q)
+        area += gauss.weight(q);
+      largest = std::max(largest, std::sqrt(area));
+    }
+    constexpr unsigned int fewest = 2;
+    return std::max(fewest, static_cast<unsigned int>(std::ceil(largest / spacing)));
+  }
+
   ShellInFlow::ShellInFlow(const spline::Surface &surface, const shell::QuadraturePoints &points,
                            const shell::Equations &equations, shell::Equilibrium &equilibrium,
                            const shell::Mass &mass)
       : surface(surface), points(points), equations(equations), equilibrium(equilibrium),
         mass(mass), u(equations.n_equations()), u_old(u), v(u), v_old(u), u_history(u),
-        v_history(u), given_forces(u)
+        v_history(u), given_forces(u), loads(u)
   {
   }
 
@@ -140,9 +157,10 @@ namespace semilunar::coupling
     const double internal = r.l2_norm();
     const Vector velocity_now = velocity(y);
     Vector acceleration = v_history, inertia;
-    acceleration.add(bdf.alpha[0], velocity_now);
+    acceleration.add(bdf.alpha[0], velocity_now, foundation / mass.per_area(), y);
     mass.multiply(equations, acceleration, inertia);
     r += inertia;
+    r -= loads;
 
     const ControlVectors velocities = expand(velocity_now);
     ControlVectors drag(surface.control_points.size());
@@ -151,8 +169,8 @@ namespace semilunar::coupling
     equations.restrict(drag, fluid_force);
     fluid_force.sadd(-1., 1., given_forces);
     r -= fluid_force;
-    return std::max(
-        {internal, inertia.l2_norm(), fluid_force.l2_norm(), std::numeric_limits<double>::min()});
+    return std::max({internal, inertia.l2_norm(), fluid_force.l2_norm(), loads.l2_norm(),
+                     std::numeric_limits<double>::min()});
   }
 
   void ShellInFlow::add_penalty(shell::SparseSystem &tangent, const double factor) const
@@ -189,7 +207,8 @@ namespace semilunar::coupling
     equilibrium.linearize(y, 0.,
                           [&](shell::SparseSystem &tangent)
                           {
-                            mass.add_to(tangent, bdf.alpha[0] * bdf.alpha[0]);
+                            mass.add_to(tangent,
+                                        bdf.alpha[0] * bdf.alpha[0] + foundation / mass.per_area());
                             add_penalty(tangent, bdf.alpha[0]);
                             if (shift > 0.)
                               tangent.add_diagonal(lumped_area(), shift);

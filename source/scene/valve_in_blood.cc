@@ -42,7 +42,7 @@ namespace semilunar::scene
         [this](const auto &, double) { return mmHg * prm.initial_pressure; });
     coupled = std::make_unique<coupling::FluidStructure>(
         flow, coupling::ImmersedShell{&shell, model->surface, points, prm.section.mass_per_area()},
-        stent_points(), prm.flow.density, prm.coupling, timers);
+        stent_points(), prm.flow, prm.coupling, timers);
     if (coupled->shell_points()->n_inside() < points.n_points())
       throw InputError("Valve", "", "a part of the leaflets lies outside of the artery",
                        "make the artery wider than the valve");
@@ -64,19 +64,8 @@ namespace semilunar::scene
 
   unsigned int ValveInBlood::n_points_per_direction(const spline::Surface &surface) const
   {
-    // Of the largest element: one side of a square of its area.
-    const shell::QuadraturePoints gauss(surface);
-    double largest = 0.;
-    for (unsigned int e = 0; e < surface.elements.size(); ++e)
-    {
-      double area = 0.;
-      for (unsigned int q = gauss.first_point(e); q < gauss.first_point(e + 1); ++q)
-        area += gauss.weight(q);
-      largest = std::max(largest, std::sqrt(area));
-    }
-    constexpr unsigned int fewest = 2;
-    return std::max(fewest, static_cast<unsigned int>(std::ceil(
-                                largest * prm.coupling.points_per_cell / cell_width_at_valve())));
+    return coupling::n_points_per_direction(surface,
+                                            cell_width_at_valve() / prm.coupling.points_per_cell);
   }
 
   coupling::SurfacePoints ValveInBlood::stent_points() const

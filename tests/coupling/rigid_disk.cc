@@ -77,7 +77,7 @@ namespace
     const spline::Surface no_surface;
     const shell::QuadraturePoints no_points(no_surface);
     coupling::FluidStructure coupled(solver, {nullptr, no_surface, no_points, 0.}, disk(60),
-                                     fluid.density, parameters, timers);
+                                     fluid, parameters, timers);
     Result result{0., 0., 0., coupled.rigid_points()->n_inside()};
     constexpr unsigned int n_last = 10;
     for (unsigned int step = 0; step < n_steps; ++step)

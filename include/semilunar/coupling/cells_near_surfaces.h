@@ -18,8 +18,8 @@ namespace semilunar::coupling
     /// @return whether any cell changed on any rank
     bool mark(const std::vector<unsigned int> &cut);
 
-    /// factor h^2 in marked cells, 0 in others, by batch and lane.
-    std::vector<flow::Lanes> weights(double factor) const;
+    /// factor h^2 + constant in marked cells, 0 in others, by batch and lane.
+    std::vector<flow::Lanes> weights(double factor, double constant) const;
 
     /// Marked, by active cell index; valid for owned and ghost cells.
     const std::vector<bool> &marked() const { return is_marked; }

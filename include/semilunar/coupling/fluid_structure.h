@@ -47,10 +47,9 @@ namespace semilunar::coupling
   public:
     /// The flow and the shell must outlive the object.
     /// @param rigid   points that do not move; there may be none
-    /// @param density of the fluid [g/cm^3]
     FluidStructure(flow::FlowSolver<3> &flow, const ImmersedShell &immersed,
-                   const SurfacePoints &rigid, double density, const Parameters &parameters,
-                   Timers &timers);
+                   const SurfacePoints &rigid, const flow::Parameters &fluid,
+                   const Parameters &parameters, Timers &timers);
 
     /// One step. @throws NumericsError; then the state is that before the step
     CoupledReport advance(double dt);
@@ -76,7 +75,7 @@ namespace semilunar::coupling
     const ImmersedShell immersed;
     ShellInFlow *const shell;
     const SurfacePoints rigid;
-    const double density;
+    const double density, viscosity; ///< of the fluid [g/cm^3], [g/(cm s)]
     const Parameters prm;
     Timers &timers;
 

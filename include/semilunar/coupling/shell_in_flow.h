@@ -20,6 +20,10 @@ namespace semilunar::coupling
                                const shell::QuadraturePoints &points,
                                const shell::ControlVectors &x);
 
+  /// How many Gauss points an element needs in each direction that those of the largest element are
+  /// no farther from each other than this [cm].
+  unsigned int n_points_per_direction(const spline::Surface &surface, double spacing);
+
   /// A shell during a time step, (I4): inertia, strain and contact, and at given points the force
   /// K (u - v) + lambda n of the fluid around it, of which K v is part of the unknowns and the rest
   /// is given. Discretised as the fluid is, by backward differentiation, so that both balance at
@@ -37,6 +41,11 @@ namespace semilunar::coupling
     Vector predict() const;
     /// K of every point [g/s] for this step.
     void set_penalties(std::vector<dealii::Tensor<2, 3>> penalties);
+    /// What else holds the shell: springs of this stiffness per undeformed area [dyn/cm^3], which
+    /// are at rest where the shell is undeformed.
+    void set_foundation(double stiffness) { foundation = stiffness; }
+    /// Forces on the control points in this step [dyn].
+    void set_loads(const shell::ControlVectors &forces) { equations.restrict(forces, loads); }
     /// K u + lambda n of all points, as forces on the control points [dyn].
     void set_forces(const shell::ControlVectors &forces);
     /// The step ends with these displacements.
@@ -95,7 +104,8 @@ namespace semilunar::coupling
     const shell::Mass &mass;
     flow::Bdf bdf;
     Vector u, u_old, v, v_old; // at the last two times
-    Vector u_history, v_history, given_forces;
+    Vector u_history, v_history, given_forces, loads;
+    double foundation = 0.;
     Vector fluid_force; ///< on the equations, at the last residual
     std::vector<dealii::Tensor<2, 3>> penalties;
 
