@@ -33,7 +33,8 @@ namespace semilunar::scene
   template <int dim>
   FlowRecord<dim>::FlowRecord(const std::filesystem::path &folder,
                               const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
-                              const bool resume)
+                              const bool resume,
+                              const std::vector<output::TimeSeries::Column> &more)
       : parameters(parameters), boundary_ids(mesh.boundary_ids)
   {
     for (const std::string &name : parameters.forces)
@@ -64,6 +65,8 @@ namespace semilunar::scene
       differences.push_back({name, indices});
     }
     declare_columns();
+    for (const output::TimeSeries::Column &title : more)
+      columns.push_back({title});
     for (const std::string &name : parameters.peaks)
       find(name);
     if (!folder.empty())
@@ -136,7 +139,7 @@ namespace semilunar::scene
 
   template <int dim>
   void FlowRecord<dim>::add(const flow::StepReport &report, flow::FlowSolver<dim> &solver,
-                            const output::FlowState<dim> &state)
+                            const output::FlowState<dim> &state, const std::vector<double> &more)
   {
     std::vector<double> row = {report.time,
                                report.dt,
@@ -175,6 +178,8 @@ namespace semilunar::scene
     }
     for (const auto &[name, pair] : differences)
       row.push_back(pressures[pair[0]] - pressures[pair[1]]);
+    row.insert(row.end(), more.begin(), more.end());
+    AssertDimension(row.size(), columns.size());
     for (std::size_t i = 0; i < row.size(); ++i)
       columns[i].values.push_back(row[i]);
     series->add_row(row);

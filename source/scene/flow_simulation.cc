@@ -20,8 +20,12 @@ namespace semilunar::scene
   {
     /// How often a step that fails is tried again with half its size.
     constexpr unsigned int max_halvings = 6;
-    /// A step may be so much longer than asked for to end exactly at the end.
-    constexpr double end_tolerance = 1e-6;
+    /// A step may be longer than asked for by this share to end exactly at the end: what rounding
+    /// of the step in a scene file leaves over is no step of its own.
+    constexpr double stretch = 1e-3;
+    constexpr double end_tolerance = 1e-6; // of the end time
+
+    using Columns = std::vector<output::TimeSeries::Column>;
 
     template <int dim>
     VectorField<dim> field_if_given(const std::string &text, const Constants &constants,
@@ -32,17 +36,19 @@ namespace semilunar::scene
   } // namespace
 
   template <int dim>
-  FlowSimulation<dim>::FlowSimulation(const FlowSceneParameters &parameters, RunContext &context)
+  FlowSimulation<dim>::FlowSimulation(const FlowSceneParameters &parameters, RunContext &context,
+                                      const MakeCompanion<dim> &make_companion)
       : prm(parameters), context(context),
         exact_velocity(
             field_if_given<dim>(prm.exact_velocity, prm.constants, "Exact solution/Velocity")),
         mesh(mesh::make_mesh<dim>(prm.mesh, MPI_COMM_WORLD)),
         conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
         mapping(prm.flow.degree), solver(make_solver()),
+        companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
         record(context.dry_run ? std::filesystem::path() : context.folder, prm.record, *mesh,
-               context.restart),
+               context.restart, companion ? companion->columns() : Columns()),
         files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh)), progress{prm.step}
   {
     if (context.dry_run)
@@ -100,10 +106,16 @@ namespace semilunar::scene
   void FlowSimulation<dim>::report_size() const
   {
     const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, mapping);
-    context.log.line(mesh::describe(quality) + ", " +
-                     std::to_string(velocity_dofs->handler().n_dofs() +
-                                    solver->spaces().pressure_dofs().n_dofs()) +
-                     " unknowns");
+    context.log.line(mesh::describe(quality) + ", " + std::to_string(n_unknowns()) + " unknowns");
+    if (companion)
+      companion->report_size(context.log);
+  }
+
+  template <int dim>
+  unsigned int FlowSimulation<dim>::n_unknowns() const
+  {
+    return velocity_dofs->handler().n_dofs() + solver->spaces().pressure_dofs().n_dofs() +
+           (companion ? companion->n_unknowns() : 0);
   }
 
   template <int dim>
@@ -205,7 +217,7 @@ namespace semilunar::scene
       {
         const double left = prm.end - solver->time();
         const flow::StepReport report =
-            step(left < progress.dt * (1. + end_tolerance) ? left : progress.dt);
+            step(left < progress.dt * (1. + stretch) ? left : progress.dt);
         finish_step(report);
         progress.dt = solver->suggested_dt(report.dt);
         if (prm.steady_tolerance > 0. && rate_of_change(report.dt) < prm.steady_tolerance)
@@ -233,7 +245,7 @@ namespace semilunar::scene
     for (unsigned int n = 0;; ++n)
       try
       {
-        return solver->advance(dt);
+        return companion ? companion->advance(dt) : solver->advance(dt);
       }
       catch (const NumericsError &error)
       {
@@ -265,7 +277,7 @@ namespace semilunar::scene
       const Timers::Scope timer(context.timers, "output");
       if (!prm.displacement.empty())
         record.reinit(state());
-      record.add(report, *solver, state());
+      record.add(report, *solver, state(), companion ? companion->row() : std::vector<double>());
       context.log.line(describe(report));
       context.log.progress("flow", std::min(report.time / prm.end, 0.999));
     }
@@ -294,6 +306,8 @@ namespace semilunar::scene
   {
     const Timers::Scope timer(context.timers, "output");
     progress.last_file = files.write(state());
+    if (companion)
+      companion->write(solver->time());
     progress.next_output = solver->time() + prm.record.vtu.interval;
   }
 
@@ -314,8 +328,9 @@ namespace semilunar::scene
     record.add_quantities(results);
     const auto stress = output::wall_shear_stress(state(), prm.boundaries.walls<dim>(*mesh));
     const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, solver->mapping());
-    results.unknowns =
-        velocity_dofs->handler().n_dofs() + solver->spaces().pressure_dofs().n_dofs();
+    results.unknowns = n_unknowns();
+    if (companion)
+      companion->add_quantities(results);
     results.quantities.insert(results.quantities.end(),
                               {{"wall_shear_stress_min", stress.min, "dyn/cm^2"},
                                {"wall_shear_stress_max", stress.max, "dyn/cm^2"},

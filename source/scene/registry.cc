@@ -4,6 +4,7 @@
 #include <semilunar/core/parameters.h>
 #include <semilunar/scene/flow.h>
 #include <semilunar/scene/geometry.h>
+#include <semilunar/scene/immersed_shell.h>
 #include <semilunar/scene/registry.h>
 #include <semilunar/scene/shell_dynamics.h>
 #include <semilunar/scene/shell_statics.h>
@@ -30,6 +31,8 @@ namespace semilunar::scene
         {"flow", kind<Flow>("blood flow through a rigid artery, a pipe, a channel or a mesh that "
                             "moves as given")},
         {"geometry", kind<Geometry>("build a surface, check it, report on it and write it")},
+        {"immersed shell", kind<ImmersedShell>("a shell of any shape or a rigid surface in a flow, "
+                                               "moving each other")},
         {"shell dynamics", kind<ShellDynamics>("any shell in motion")},
         {"shell statics", kind<ShellStatics>("any shell under static loads")},
         {"valve dynamics", kind<ValveDynamics>("the leaflets of a valve design, opening and "

@@ -18,16 +18,19 @@ namespace semilunar::scene
   public:
     /// @throws InputError for names that do not exist
     /// @param resume go on with the file of an earlier run; go_on() must follow
+    /// @param more columns, after those of the flow
     FlowRecord(const std::filesystem::path &folder, const FlowRecordParameters &parameters,
-               const mesh::Mesh<dim> &mesh, bool resume);
+               const mesh::Mesh<dim> &mesh, bool resume,
+               const std::vector<output::TimeSeries::Column> &more = {});
 
     /// Locate sections and probes: at first, and whenever the mesh has changed or moved.
     /// @throws InputError for probes outside of the mesh
     void reinit(const output::FlowState<dim> &state);
 
     /// Add a row. Collective.
+    /// @param more values, one for each of the additional columns
     void add(const flow::StepReport &report, flow::FlowSolver<dim> &solver,
-             const output::FlowState<dim> &state);
+             const output::FlowState<dim> &state, const std::vector<double> &more = {});
 
     /// The last value of each column, peaks, and the flow balance. @throws InputError for peaks of
     /// columns that do not exist

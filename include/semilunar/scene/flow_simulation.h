@@ -4,6 +4,7 @@
 
 #include <semilunar/core/run_context.h>
 #include <semilunar/output/velocity_dofs.h>
+#include <semilunar/scene/flow_companion.h>
 #include <semilunar/scene/flow_record.h>
 
 #include <deal.II/fe/mapping_q.h>
@@ -15,7 +16,9 @@ namespace semilunar::scene
   class FlowSimulation
   {
   public:
-    FlowSimulation(const FlowSceneParameters &parameters, RunContext &context);
+    /// @param make_companion of what takes part besides the blood; empty if there is nothing
+    FlowSimulation(const FlowSceneParameters &parameters, RunContext &context,
+                   const MakeCompanion<dim> &make_companion = {});
 
     /// @throws InputError, NumericsError
     void run();
@@ -43,6 +46,7 @@ namespace semilunar::scene
     /// Relative change of the velocity within a unit of time.
     double rate_of_change(double dt);
     void add_quantities();
+    unsigned int n_unknowns() const;
     output::FlowState<dim> state() const;
     std::string describe(const flow::StepReport &report) const;
 
@@ -53,6 +57,7 @@ namespace semilunar::scene
     const flow::BoundaryConditions<dim> conditions;
     const dealii::MappingQ<dim> mapping;
     const std::unique_ptr<flow::FlowSolver<dim>> solver;
+    const std::unique_ptr<FlowCompanion<dim>> companion; ///< null: there is only blood
     std::unique_ptr<output::VelocityDofs<dim>> velocity_dofs;
     FlowRecord<dim> record;
     output::FlowVtu<dim> files;

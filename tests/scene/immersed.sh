@@ -1,0 +1,50 @@
+#!/bin/bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# usage: immersed.sh PROGRAM PRM_FOLDER MPIEXEC
+#
+# Shells and rigid surfaces in a flow against exact solutions: a closed wall, a plate on springs at
+# three ratios of masses, a plate along the flow, a manufactured solution with observed orders; one
+# answer on one and two ranks; and what they say to wrong input.
+scenes=$(realpath "$2")/benchmarks/immersed
+mpiexec=$3
+source "$(dirname "$0")/expect.sh"
+
+# The first step of the recursion: dP / (rho L/dt + beta) = 2.38095 cm/s through 0.25 cm^2.
+expect 0 'done in' "$scenes/closed-barrier.prm" --set Time/End=1e-4 --output barrier
+expect_between barrier flow_rate_right 0.5952 0.6012
+
+# A third of a period, from light to heavy fluid: omega = sqrt(k/(rho_s h + rho L)).
+plate() { # NAME DENSITY END STEP
+  expect 0 'done in' "$scenes/spring-plate.prm" --set "Mesh/Box/Cells=16, 2, 2" \
+    --set "Shell/Density=$2" --set "Constants=L: 4, ms: $(awk "BEGIN { print 0.04 * $2 }"), k: 1e4, A: 0.001" \
+    --set Time/End="$3" --set Time/Step="$4" --output "$1"
+  expect_between "$1" largest_power_imbalance 0 1e-8
+}
+plate heavy 100 0.06 1e-3
+expect_between heavy displacement_error_l2 0 6e-6 # of 5e-4
+plate even 10 0.04 1e-3
+expect_between even displacement_error_l2 0 1e-5
+plate light 0.1 0.04 1e-3
+expect_between light displacement_error_l2 0 1e-5
+
+expect 0 'done in' "$scenes/midline-plate.prm" --output midline
+expect_between midline plate_ux 0.2 0.26 # exact 0.235; cells of 1/5
+expect_between midline velocity_error_l2 0 0.08
+
+expect 0 '' "$scenes/manufactured.prm" --levels 2 --quiet --output manufactured
+expect_between manufactured velocity_error_l2 0 6.7e-4    # / sqrt(0.1): per depth
+expect_between manufactured displacement_error_l2 0 2.7e-4
+
+"$mpiexec" -n 2 "$program" "$scenes/manufactured.prm" --quiet --output ranks || failed "two ranks"
+for name in velocity_error_l2 displacement_error_l2 pressure_error_l2; do
+  a=$(quantity manufactured/level-0 $name) b=$(quantity ranks $name)
+  awk -v a="$a" -v b="$b" 'BEGIN { d = (a - b) / a; exit !(d < 1e-4 && d > -1e-4) }' ||
+    failed "$name: $a on one rank, $b on two"
+done
+
+expect 1 'a surface is in space' "$scenes/spring-plate.prm" --set Dimension=2
+expect 1 'Surface: it lies outside of the mesh' "$scenes/closed-barrier.prm" \
+  --set "Surface/Quadrilateral/Corners=9, 0, 0; 9, 1, 0; 9, 0, 1; 9, 1, 1"
+expect 1 'displacement and velocity belong together' "$scenes/spring-plate.prm" --set "Exact solution/Shell velocity="
+finish
