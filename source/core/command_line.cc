@@ -10,7 +10,7 @@ namespace semilunar
   namespace
   {
     const std::vector<std::string> options = {
-        "--set",   "--output", "--levels",  "--dry-run",     "--restart",
+        "--set",   "--output", "--levels",  "--study",       "--dry-run",         "--restart",
         "--quiet", "--help",   "--version", "--list-scenes", "--print-parameters"};
 
     const std::map<std::string, ParameterFormat> formats = {
@@ -72,6 +72,8 @@ namespace semilunar
         result.output_folder = arguments.value_of(option, "the folder");
       else if (option == "--levels")
         result.n_levels = parse_n_levels(arguments);
+      else if (option == "--study")
+        result.study = true;
       else if (option == "--dry-run")
         result.dry_run = true;
       else if (option == "--restart")
@@ -106,9 +108,12 @@ namespace semilunar
         throw InputError(argument, "", "there is a scene file already, " + result.scene_file,
                          "give one scene file; changed entries follow a --set");
     }
-    if (result.restart && (result.dry_run || result.n_levels > 0))
+    if (result.restart && (result.dry_run || result.n_levels > 0 || result.study))
       throw InputError("--restart", "", "only a plain run can go on from a checkpoint",
-                       "leave out --dry-run and --levels");
+                       "leave out --dry-run, --levels and --study");
+    if (result.study && result.n_levels > 0)
+      throw InputError("--study", "", "levels and variations do not go together",
+                       "leave out one of --study and --levels");
     if (result.action == Action::run && result.scene_file.empty())
       throw InputError("command line", "", "there is no scene file", Arguments::usage_hint);
     return result;
@@ -122,6 +127,8 @@ namespace semilunar
   --output FOLDER              where to write (default: results/SCENE)
   --levels N                   run at N resolutions, each finer by what the scene's section Levels
                                says, and report speed against error
+  --study                      run the scene, then with one entry changed at a time as its section
+                               Study says, and report the quantities in a table
   --restart                    go on from the last checkpoint in the output folder
   --dry-run                    read and build everything, report sizes, compute and write nothing
   --quiet                      print nothing but errors

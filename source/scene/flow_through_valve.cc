@@ -33,6 +33,13 @@ namespace semilunar::scene
       else
         (volume > 0. ? forward : closing) += std::abs(volume);
     }
+    double last_volume = 0., last_duration = 0.; // of the last tenth
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (times[i] > 0.9 * times.back())
+      {
+        last_volume += flow_rates[i] * (times[i] - times[i - 1]);
+        last_duration += times[i] - times[i - 1];
+      }
     const auto peak = std::max_element(flow_rates.begin(), flow_rates.end());
     const auto [lowest, highest] = std::minmax_element(pressures.begin(), pressures.end());
     auto &q = results.quantities;
@@ -47,6 +54,7 @@ namespace semilunar::scene
          {"regurgitant_volume", closing + leakage, "cm^3"},
          {"mean_leak_rate", closed_for > 0. ? leakage / closed_for : std::nan(""), "cm^3/s"},
          {"final_leak_rate", closed_for > 0. ? -flow_rates.back() : std::nan(""), "cm^3/s"},
+         {"flow_rate_of_last_tenth", last_volume / last_duration, "cm^3/s"},
          {"largest_pressure_difference", *highest / mmHg, "mmHg"},
          {"smallest_pressure_difference", *lowest / mmHg, "mmHg"}});
   }

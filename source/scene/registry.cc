@@ -68,6 +68,7 @@ namespace semilunar::scene
     scene->add_parameters(prm);
     scene->levels.finer = scene->finer();
     scene->levels.add_parameters(prm);
+    scene->study.add_parameters(prm);
     return scene;
   }
 

@@ -7,6 +7,7 @@
 #include <semilunar/scene/run_levels.h>
 #include <semilunar/scene/run_once.h>
 #include <semilunar/scene/run_scene.h>
+#include <semilunar/scene/study.h>
 
 #include <algorithm>
 #include <ostream>
@@ -65,6 +66,8 @@ namespace semilunar::scene
     catch_interrupts();
     if (command_line.n_levels > 0)
       run_levels(input, command_line.n_levels, folder, command_line.dry_run, log);
+    else if (command_line.study)
+      run_study(input, folder, command_line.dry_run, log);
     else
     {
       const output::LevelRun run =

@@ -23,6 +23,7 @@ namespace semilunar
     std::vector<std::string> overrides; ///< "Section/Entry=value"
     std::string output_folder;          ///< "" if not given
     unsigned int n_levels = 0;          ///< resolutions to compare; 0: a plain run
+    bool study = false;                 ///< vary entries one at a time
     bool dry_run = false;
     bool restart = false; ///< go on from the checkpoint in the output folder
     bool quiet = false;

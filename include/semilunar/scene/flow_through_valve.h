@@ -17,8 +17,8 @@ namespace semilunar::scene
     void add(double time, double flow_rate, double pressure);
 
     /// Peak flow, stroke volume, regurgitant volume, split at the time when the valve is closed
-    /// (NaN: not split) into closing volume and leakage, mean leak rate after that, largest and
-    /// smallest pressure difference.
+    /// (NaN: not split) into closing volume and leakage, mean leak rate after that, mean flow rate
+    /// of the last tenth of the run, largest and smallest pressure difference.
     void add_quantities(double closed, RunResults &results) const;
 
     template <class Archive>

@@ -3,6 +3,7 @@
 #define semilunar_scene_scene_h
 
 #include <semilunar/scene/levels.h>
+#include <semilunar/scene/study.h>
 
 namespace semilunar::scene
 {
@@ -14,8 +15,9 @@ namespace semilunar::scene
     virtual ~Scene() = default;
 
     LevelsParameters levels;
+    StudyParameters study;
 
-    /// Declare all entries but the levels and bind them to the scene's members.
+    /// Declare all entries but those of levels and studies, and bind them to the scene's members.
     virtual void add_parameters(dealii::ParameterHandler &prm) = 0;
 
     /// What "finer" means unless the scene file says so: the default of Levels/Finer.
