@@ -2,19 +2,15 @@
 // The error indicator: against the same bubbles as control points of elevated patches, with contact
 // and pressure; effectivity and order on the clamped plate and the Scordelis-Lo roof; marking.
 
-#include <semilunar/shell/equilibrium.h>
 #include <semilunar/shell/error_indicator.h>
 #include <semilunar/shell/loads.h>
-#include <semilunar/shell/section_parameters.h>
-#include <semilunar/shell/static_solver.h>
 #include <semilunar/shell/supports.h>
-#include <semilunar/spline/t_spline.h>
 
 #include <deal.II/lac/full_matrix.h>
 
 #include "../spline/quad_meshes.h"
 #include "../tests.h"
-#include "shell_cases.h"
+#include "spline_shells.h"
 
 #include <numeric>
 
@@ -24,32 +20,6 @@ using namespace semilunar::tests;
 
 namespace
 {
-  SectionParameters material(const double E, const double nu, const double thickness)
-  {
-    SectionParameters parameters;
-    parameters.material = "Saint Venant-Kirchhoff";
-    parameters.thickness = thickness;
-    parameters.saint_venant_kirchhoff = {E, nu};
-    return parameters;
-  }
-
-  struct Model
-  {
-    const Surface surface;
-    const std::unique_ptr<Section> section;
-    const QuadraturePoints points;
-    const Assembly assembly;
-
-    Model(const Surface &s, const SectionParameters &parameters, const unsigned int n_gauss = 0)
-        : surface(s), section(parameters.make_section()), points(surface, n_gauss),
-          assembly(surface, points, *section,
-                   [](const auto &, const auto &) {
-                     return std::array<double, 2>{{1., 0.}};
-                   })
-    {
-    }
-  };
-
   double total(const std::vector<double> &values)
   {
     return std::accumulate(values.begin(), values.end(), 0.);
@@ -58,10 +28,7 @@ namespace
   /// A cubic patch of one element near the unit square at a height, stretched and bent.
   spline::NurbsPatch one_element(const double height, const double stretch, const double bend)
   {
-    spline::NurbsPatch patch = spline::quadrilateral(
-        {{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(0., 1., 0.), Point<3>(1., 1., 0.)}});
-    for (unsigned int d = 0; d < 2; ++d)
-      patch.elevate_degree(d, 2);
+    const spline::NurbsPatch patch = cubic_square(1);
     std::vector<spline::ControlPoint> net = patch.control_net();
     for (auto &c : net)
     {
@@ -92,8 +59,8 @@ namespace
                                    const ContactParameters &contact_parameters,
                                    const double pressure, const Vectors &deformed_cubic)
   {
-    const Model cubic(layers(0., 0., 0.2, 0), parameters);
-    const Model model(layers(0., 0., 0.2, 3), parameters, 4);
+    const SplineShell cubic(layers(0., 0., 0.2, 0), parameters);
+    const SplineShell model(layers(0., 0., 0.2, 3), parameters, 4);
     std::vector<Resultants> tension;
     for (unsigned int q = 0; q < cubic.points.n_points(); ++q)
     {
@@ -140,14 +107,14 @@ namespace
 
   void against_elevated_patches()
   {
-    const SectionParameters parameters = material(1e4, 0.3, 0.05);
+    const SectionParameters parameters = linear_elastic(1e4, 0.3, 0.05);
     ContactParameters contact_parameters;
     contact_parameters.enabled = true;
     contact_parameters.distance = 0.15;
     contact_parameters.stiffness = 1e4;
     contact_parameters.smoothing = 0.01;
     const double pressure = 3.;
-    const Model model(layers(0., 0., 0.2, 0), parameters);
+    const SplineShell model(layers(0., 0., 0.2, 0), parameters);
     const Vectors x = positions(layers(0.05, 0.01, 0.1, 0));
     Contact contact(model.surface, model.points, contact_parameters);
     contact.update(x);
@@ -176,21 +143,12 @@ namespace
   Estimate estimate(const Surface &surface, const SectionParameters &parameters,
                     const std::string &supports, const std::string &area_load, const double exact)
   {
-    const Model model(surface, parameters);
+    const SplineShell model(surface, parameters);
     const Equations equations = make_equations(model.surface, {supports});
     LoadParameters loads;
     loads.area_load = area_load;
     const ControlVectors forces = dead_forces(model.surface, model.points, loads, 0.);
-    Timers timers;
-    Equilibrium equilibrium(model.surface, model.points, equations, model.assembly, 0., forces,
-                            nullptr, timers);
-    NonlinearSystem::Vector u(equations.n_equations());
-    StaticSolverParameters solver;
-    solver.method = "linear";
-    ControlVectors x;
-    solve_static(equilibrium, u, solver,
-                 {[&](const LoadStep &step, const NonlinearSystem::Vector &state)
-                  { x = equilibrium.positions(state, step.load); }});
+    const ControlVectors x = linear_response(model, equations, forces);
     ActingLoads acting;
     acting.dead_load = loads.dead_area_load(0.);
     const double work = dot(sum(x, -1., positions(surface)), forces);
@@ -220,40 +178,17 @@ namespace
     check(name + ": order below the expected one by", std::max(0., order - found), 0.);
   }
 
-  spline::NurbsPatch square(const unsigned int n)
-  {
-    spline::NurbsPatch patch = spline::quadrilateral(
-        {{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(0., 1., 0.), Point<3>(1., 1., 0.)}});
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      patch.elevate_degree(d, 2);
-      patch.refine_to(d, n);
-    }
-    return patch;
-  }
-
-  Surface with_t_junctions(const spline::NurbsPatch &patch)
-  {
-    spline::TSpline spline(patch);
-    spline.refine_where([](const Point<2> &low, const Point<2> &high, const unsigned int level)
-                        { return level < 2 && low[0] < 0.45 && low[1] < 0.45 && high[1] > 0.2; });
-    return to_surface(spline);
-  }
-
   void clamped_plate()
   {
-    const SectionParameters parameters = material(1e7, 0.3, 0.01);
+    const SectionParameters parameters = linear_elastic(1e7, 0.3, 0.01);
     const auto plate = [&](const Surface &surface, const double exact)
-    {
-      return estimate(surface, parameters, "clamp x=0; clamp x=1; clamp y=0; clamp y=1",
-                      "0, 0, 1e-4", exact);
-    };
-    const double exact = -plate(to_surface(square(40)), 0.).error;
+    { return estimate(surface, parameters, clamped_all_round, "0, 0, 1e-4", exact); };
+    const double exact = -plate(to_surface(cubic_square(40)), 0.).error;
     std::vector<Estimate> grids, t_meshes, with_points;
     for (const unsigned int n : {4u, 8u, 16u})
     {
-      grids.push_back(plate(to_surface(square(n)), exact));
-      t_meshes.push_back(plate(with_t_junctions(square(n)), exact));
+      grids.push_back(plate(to_surface(cubic_square(n)), exact));
+      t_meshes.push_back(plate(to_surface(with_t_junctions(cubic_square(n))), exact));
       const PlacedMesh placed = square_with_points(n / 2);
       with_points.push_back(plate(
           to_surface(placed.mesh, lifted(placed, [](const Point<2> &) { return 0.; })), exact));
@@ -267,17 +202,9 @@ namespace
 
   void scordelis_lo()
   {
-    const SectionParameters parameters = material(4.32e8, 0., 0.25);
-    const auto roof = [&](const unsigned int n, const double exact)
-    {
-      spline::NurbsPatch patch =
-          spline::cylinder(25., 50. * M_PI / 180., 130. * M_PI / 180., 0., 50.);
-      patch.elevate_degree(0, 1);
-      patch.elevate_degree(1, 2);
-      patch.refine_to(0, n);
-      patch.refine_to(1, n);
-      return estimate(to_surface(patch), parameters, "fix z=0 xy; fix z=50 xy; fix (0,25,25) z",
-                      "0, -90e-6, 0", exact);
+    const SectionParameters parameters = linear_elastic(4.32e8, 0., 0.25);
+    const auto roof = [&](const unsigned int n, const double exact) {
+      return estimate(to_surface(cubic_roof(n)), parameters, roof_supports, "0, -90e-6, 0", exact);
     };
     const double exact = -roof(40, 0.).error;
     std::vector<Estimate> grids;

@@ -3,82 +3,25 @@
 // bending, and observed orders for the clamped plate and the Scordelis-Lo roof against tensor
 // products.
 
-#include <semilunar/shell/equilibrium.h>
 #include <semilunar/shell/loads.h>
-#include <semilunar/shell/section_parameters.h>
-#include <semilunar/shell/static_solver.h>
 #include <semilunar/shell/supports.h>
 #include <semilunar/spline/boundary_rows.h>
 #include <semilunar/spline/fit.h>
-#include <semilunar/spline/t_spline.h>
 
 #include "../spline/quad_meshes.h"
 #include "../tests.h"
-#include "shell_cases.h"
+#include "spline_shells.h"
 
 #include <set>
 
 using namespace semilunar;
 using namespace semilunar::shell;
 using namespace semilunar::tests;
-using spline::TSpline;
 
 namespace
 {
-  SectionParameters steel(const double E, const double nu, const double thickness)
-  {
-    SectionParameters parameters;
-    parameters.material = "Saint Venant-Kirchhoff";
-    parameters.thickness = thickness;
-    parameters.saint_venant_kirchhoff = {E, nu};
-    return parameters;
-  }
-
-  struct Model
-  {
-    const Surface surface;
-    const std::unique_ptr<Section> section;
-    const QuadraturePoints points;
-    const Assembly assembly;
-
-    Model(const Surface &s, const SectionParameters &material)
-        : surface(s), section(material.make_section()), points(surface),
-          assembly(surface, points, *section,
-                   [](const auto &, const auto &) {
-                     return std::array<double, 2>{{1., 0.}};
-                   })
-    {
-    }
-  };
-
-  spline::NurbsPatch square(const unsigned int n,
-                            const std::function<double(Point<2>)> &height = {})
-  {
-    spline::NurbsPatch patch = spline::quadrilateral(
-        {{Point<3>(0., 0., 0.), Point<3>(1., 0., 0.), Point<3>(0., 1., 0.), Point<3>(1., 1., 0.)}});
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      patch.elevate_degree(d, 2);
-      patch.refine_to(d, n);
-    }
-    std::vector<spline::ControlPoint> net = patch.control_net();
-    for (spline::ControlPoint &point : net)
-      if (height)
-        point.position[2] = height({point.position[0], point.position[1]});
-    return spline::NurbsPatch({{patch.knots(0), patch.knots(1)}}, net);
-  }
-
-  /// Refined twice where T-junctions run through the middle of things.
-  TSpline t_spline(const spline::NurbsPatch &patch)
-  {
-    TSpline spline(patch);
-    spline.refine_where([](const Point<2> &low, const Point<2> &high, const unsigned int level)
-                        { return level < 2 && low[0] < 0.45 && low[1] < 0.45 && high[1] > 0.2; });
-    return spline;
-  }
-
   /// The largest force on control points that are not in two rows of the boundary, by the largest.
-  double unbalanced(const Model &model, const ControlVectors &x)
+  double unbalanced(const SplineShell &model, const ControlVectors &x)
   {
     ControlVectors forces(x.size());
     model.assembly.add(x, 0., forces, {});
@@ -100,7 +43,7 @@ namespace
   /// A uniform finite membrane strain makes no forces inside, whatever the mesh.
   void membrane_patch_test(const std::string &name, const Surface &surface)
   {
-    const Model model(surface, steel(1e6, 0.3, 0.05));
+    const SplineShell model(surface, linear_elastic(1e6, 0.3, 0.05));
     ControlVectors x = positions(surface);
     for (auto &p : x)
       p = Tensor<1, 3>({1.1 * p[0] + 0.05 * p[1], -0.02 * p[0] + 0.95 * p[1], p[2]});
@@ -122,13 +65,10 @@ namespace
       }
     spline::NurbsPatch bent(
         {{spline::KnotVector::uniform(2, 1), spline::KnotVector::uniform(2, 1)}}, net);
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      bent.elevate_degree(d, 1);
-      bent.refine_to(d, 6);
-    }
-    const Surface flat = to_surface(t_spline(square(6))), curved = to_surface(t_spline(bent));
-    const Model model(flat, steel(1e6, 0.3, 0.05));
+    make_cubic(bent, 6);
+    const Surface flat = to_surface(with_t_junctions(cubic_square(6))),
+                  curved = to_surface(with_t_junctions(bent));
+    const SplineShell model(flat, linear_elastic(1e6, 0.3, 0.05));
     check("T-junctions: bending patch test (second order in the rotation)",
           unbalanced(model, positions(curved)), 1e-5);
     check(
@@ -154,21 +94,12 @@ namespace
   Result work(const Surface &surface, const SectionParameters &material,
               const std::string &supports, const std::string &area_load)
   {
-    const Model model(surface, material);
+    const SplineShell model(surface, material);
     const Equations equations = make_equations(model.surface, {supports});
     LoadParameters loads;
     loads.area_load = area_load;
     const ControlVectors forces = dead_forces(model.surface, model.points, loads, 0.);
-    Timers timers;
-    Equilibrium equilibrium(model.surface, model.points, equations, model.assembly, 0., forces,
-                            nullptr, timers);
-    NonlinearSystem::Vector u(equations.n_equations());
-    StaticSolverParameters solver;
-    solver.method = "linear";
-    ControlVectors x;
-    solve_static(equilibrium, u, solver,
-                 {[&](const LoadStep &step, const NonlinearSystem::Vector &state)
-                  { x = equilibrium.positions(state, step.load); }});
+    const ControlVectors x = linear_response(model, equations, forces);
     return {unsigned(surface.control_points.size()), dot(sum(x, -1., positions(surface)), forces)};
   }
 
@@ -193,16 +124,15 @@ namespace
 
   void clamped_plate()
   {
-    const SectionParameters material = steel(1e7, 0.3, 0.01);
-    const std::string all_round = "clamp x=0; clamp x=1; clamp y=0; clamp y=1";
+    const SectionParameters material = linear_elastic(1e7, 0.3, 0.01);
     const auto plate_work = [&](const Surface &surface)
-    { return work(surface, material, all_round, "0, 0, 1"); };
-    const double exact = plate_work(to_surface(square(40))).value;
+    { return work(surface, material, clamped_all_round, "0, 0, 1"); };
+    const double exact = plate_work(to_surface(cubic_square(40))).value;
     std::vector<Result> grids, t_meshes, points;
     for (const unsigned int n : {4u, 8u, 16u})
     {
-      grids.push_back(plate_work(to_surface(square(n))));
-      t_meshes.push_back(plate_work(to_surface(t_spline(square(n)))));
+      grids.push_back(plate_work(to_surface(cubic_square(n))));
+      t_meshes.push_back(plate_work(to_surface(with_t_junctions(cubic_square(n)))));
       const PlacedMesh placed = square_with_points(n / 2);
       points.push_back(
           plate_work(to_surface(placed.mesh, lifted(placed, [](const Point<2> &) { return 0.; }))));
@@ -223,30 +153,20 @@ namespace
 
   void scordelis_lo()
   {
-    const SectionParameters material = steel(4.32e8, 0., 0.25);
-    const auto roof = [](const unsigned int n)
-    {
-      spline::NurbsPatch patch =
-          spline::cylinder(25., 50. * M_PI / 180., 130. * M_PI / 180., 0., 50.);
-      patch.elevate_degree(0, 1);
-      patch.elevate_degree(1, 2);
-      patch.refine_to(0, n);
-      patch.refine_to(1, n);
-      return patch;
-    };
+    const SectionParameters material = linear_elastic(4.32e8, 0., 0.25);
     const auto roof_work = [&](const Surface &surface)
-    { return work(surface, material, "fix z=0 xy; fix z=50 xy; fix (0,25,25) z", "0, -90, 0"); };
-    const double exact = roof_work(to_surface(roof(40))).value;
+    { return work(surface, material, roof_supports, "0, -90, 0"); };
+    const double exact = roof_work(to_surface(cubic_roof(40))).value;
     std::vector<Result> grids, t_meshes, points;
     for (const unsigned int n : {4u, 8u, 16u})
     {
-      grids.push_back(roof_work(to_surface(roof(n))));
-      t_meshes.push_back(roof_work(to_surface(t_spline(roof(n)))));
+      grids.push_back(roof_work(to_surface(cubic_roof(n))));
+      t_meshes.push_back(roof_work(to_surface(with_t_junctions(cubic_roof(n)))));
       const PlacedMesh placed = square_with_points(n / 2);
       const Surface map =
           to_surface(placed.mesh, lifted(placed, [](const Point<2> &) { return 0.; }));
       Surface fitted = map;
-      const spline::NurbsPatch shape = roof(1);
+      const spline::NurbsPatch shape = cubic_roof(1);
       std::vector<std::array<unsigned int, 2>> edges;
       for (const auto &side : boundary_sides(map))
         edges.push_back({{side.element, side.side}});
@@ -270,7 +190,7 @@ namespace
 
 int main()
 {
-  membrane_patch_test("T-junctions", to_surface(t_spline(square(6))));
+  membrane_patch_test("T-junctions", to_surface(with_t_junctions(cubic_square(6))));
   for (const unsigned int n : {3u, 5u, 6u})
   {
     const PlacedMesh placed = star(n, 3);

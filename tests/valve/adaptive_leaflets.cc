@@ -2,6 +2,7 @@
 // Leaflets refined where elements are marked: deformed surfaces stay what they are, meshes stay
 // suitable and symmetric whatever is marked, held edges stay held; sizes of elements in files.
 #include "../tests.h"
+#include "mirror_images.h"
 
 #include <semilunar/core/exceptions.h>
 #include <semilunar/spline/evaluation.h>
@@ -79,22 +80,6 @@ namespace
     return largest;
   }
 
-  /// Distance of mirror images of control points from control points.
-  double asymmetry(const Surface &surface)
-  {
-    double largest = 0.;
-    for (const ControlPoint &point : surface.control_points)
-    {
-      Point<3> image = point.position;
-      image[1] *= -1.;
-      double nearest = 1e300;
-      for (const ControlPoint &other : surface.control_points)
-        nearest = std::min(nearest, image.distance(other.position));
-      largest = std::max(largest, nearest);
-    }
-    return largest;
-  }
-
   /// Rounds of refinement, of which all elements are on the last leaflet and on one side.
   void refinement(const std::string &name, const Design &design, const unsigned int n_leaflets)
   {
@@ -126,7 +111,7 @@ namespace
     if (n_leaflets > 1)
       check(name + ": leaflets alike", valve::rotational_asymmetry(surface, positions(surface)),
             1e-12);
-    check(name + ": mirrored", asymmetry(surface), 1e-12);
+    check(name + ": mirrored", tests::asymmetry(surface), 1e-12);
     log() << "  " << surface.elements.size() << " elements, " << surface.control_points.size()
           << " control points, " << crossings(leaflets.leaflet().mesh()).size() << " crossings"
           << std::endl;

@@ -2,6 +2,7 @@
 // Leaflets as T-splines refined in zones: the same surface, symmetric, elements where they were
 // asked for; posts that lean, and stents that are oval or not fully expanded.
 #include "../tests.h"
+#include "mirror_images.h"
 
 #include <semilunar/core/exceptions.h>
 #include <semilunar/spline/boundary_rows.h>
@@ -46,17 +47,7 @@ namespace
     }
     check("same surface", error / design.radius, 1e-13);
 
-    double asymmetry = 0.;
-    for (const ControlPoint &point : surface.control_points)
-    {
-      Point<3> mirrored = point.position;
-      mirrored[1] *= -1.;
-      double nearest = 1e300;
-      for (const ControlPoint &other : surface.control_points)
-        nearest = std::min(nearest, mirrored.distance(other.position));
-      asymmetry = std::max(asymmetry, nearest);
-    }
-    check("mirrored control points", asymmetry, 1e-13);
+    check("mirrored control points", tests::asymmetry(surface), 1e-13);
     log() << "T-spline: " << leaflet.mesh().n_active() << " elements, " << surface.elements.size()
           << " Bezier elements, " << surface.control_points.size() << " control points, "
           << crossings(leaflet.mesh()).size() << " crossings" << std::endl;
