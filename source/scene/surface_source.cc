@@ -5,6 +5,7 @@
 #include <semilunar/shell/location.h>
 #include <semilunar/spline/cad_file.h>
 #include <semilunar/spline/iga_file.h>
+#include <semilunar/spline/patches.h>
 #include <semilunar/spline/primitives.h>
 #include <semilunar/valve/deployment.h>
 #include <semilunar/valve/leaflets.h>

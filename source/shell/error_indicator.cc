@@ -29,7 +29,8 @@ namespace semilunar::shell
     {
     public:
       explicit Bubbles(const std::array<unsigned int, 2> &degree)
-          : degrees{{degree[0] + more_degrees, degree[1] + more_degrees}}
+          : degrees{{std::min(degree[0] + more_degrees, max_degree),
+                     std::min(degree[1] + more_degrees, max_degree)}}
       {
         for (unsigned int d = 0; d < 2; ++d)
           for (auto &derivative : table[d])

@@ -73,4 +73,12 @@ namespace semilunar::spline
         result[b * n + k] = matrix(b, k);
     return result;
   }
+
+  double binomial(const unsigned int n, const unsigned int k)
+  {
+    double b = 1.;
+    for (unsigned int i = 1; i <= k; ++i)
+      b = b * (n + 1 - i) / i;
+    return b;
+  }
 } // namespace semilunar::spline

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
 #include <semilunar/spline/cad_file.h>
-#include <semilunar/spline/closest_point.h>
 
 #include <deal.II/base/config.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #ifdef DEAL_II_WITH_OPENCASCADE
 #include <BRep_Builder.hxx>
@@ -73,6 +71,17 @@ namespace semilunar::spline
       Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_PrinterOStream));
     }
 
+    const char *const no_surfaces = "holds no surfaces";
+    const char *const export_surfaces = "export B-spline surfaces, not only curves or triangles";
+
+    /// What OpenCASCADE complains about in its own words.
+    InputError not_understood(const std::string &filename, const Standard_Failure &failure)
+    {
+      return InputError(filename, "",
+                        std::string("OpenCASCADE cannot handle it: ") + failure.GetMessageString(),
+                        "export the surfaces anew");
+    }
+
     /// OpenCASCADE's own unit, to which it converts what it reads, is the millimetre.
     constexpr double millimetres_per_cm = 10.;
 
@@ -83,7 +92,8 @@ namespace semilunar::spline
       Reader reader;
       if (!std::filesystem::is_regular_file(filename) ||
           reader.ReadFile(filename.c_str()) != IFSelect_RetDone)
-        throw InputError(filename, "", "is not a readable STEP or IGES file", "");
+        throw InputError(filename, "", "is not a readable STEP or IGES file",
+                         "check the name, and whether the file is complete");
       reader.TransferRoots();
       return reader.OneShape();
     }
@@ -94,14 +104,20 @@ namespace semilunar::spline
       double u0, u1, v0, v1;
       BRepTools::UVBounds(face, u0, u1, v0, v1);
       const double tolerance = 1e-6 * std::max(u1 - u0, v1 - v0);
+      constexpr unsigned int n_samples = 8; // of each edge: a circle touches its box in some points
       for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
       {
         const BRepAdaptor_Curve2d curve(TopoDS::Edge(edge.Current()), face);
-        const gp_Pnt2d middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2.);
-        const double inside = std::min({std::abs(middle.X() - u0), std::abs(middle.X() - u1),
-                                        std::abs(middle.Y() - v0), std::abs(middle.Y() - v1)});
-        if (inside > tolerance)
-          return false;
+        for (unsigned int k = 1; k < n_samples; ++k)
+        {
+          const double share = double(k) / n_samples;
+          const gp_Pnt2d p =
+              curve.Value((1. - share) * curve.FirstParameter() + share * curve.LastParameter());
+          const double inside = std::min({std::abs(p.X() - u0), std::abs(p.X() - u1),
+                                          std::abs(p.Y() - v0), std::abs(p.Y() - v1)});
+          if (inside > tolerance)
+            return false;
+        }
       }
       return true;
     }
@@ -192,94 +208,77 @@ namespace semilunar::spline
       const TopoDS_Shape shape = is_step(filename) ? read_shape<STEPControl_Reader>(filename)
                                                    : read_shape<IGESControl_Reader>(filename);
       if (shape.IsNull())
-        throw InputError(filename, "", "holds no surfaces", "");
+        throw InputError(filename, "", no_surfaces, export_surfaces);
       std::vector<NurbsPatch> patches;
       const TopoDS_Shape converted = BRepBuilderAPI_NurbsConvert(shape).Shape();
       for (TopExp_Explorer face(converted, TopAbs_FACE); face.More(); face.Next())
         patches.push_back(to_patch(TopoDS::Face(face.Current()), filename));
       if (patches.empty())
-        throw InputError(filename, "", "holds no surfaces", "");
+        throw InputError(filename, "", no_surfaces, export_surfaces);
       return patches;
     }
     catch (const Standard_Failure &failure)
     {
-      throw InputError(filename, "", failure.GetMessageString(), "");
+      throw not_understood(filename, failure);
     }
   }
+
+  namespace
+  {
+    bool write_shape(const TopoDS_Shape &shape, const std::string &filename)
+    {
+      if (is_step(filename))
+      {
+        STEPControl_Writer writer;
+        return writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone &&
+               writer.Write(filename.c_str()) == IFSelect_RetDone;
+      }
+      IGESControl_Writer writer("MM", 0);
+      const bool added = writer.AddShape(shape);
+      writer.ComputeModel();
+      return added && writer.Write(filename.c_str());
+    }
+  } // namespace
 
   void write_cad(const std::vector<NurbsPatch> &patches, const std::string &filename)
   {
     be_quiet();
-    BRep_Builder builder;
-    TopoDS_Compound compound;
-    builder.MakeCompound(compound);
-    for (const NurbsPatch &patch : patches)
-      builder.Add(compound, to_face(patch));
     bool written = false;
-    if (is_step(filename))
+    try
     {
-      STEPControl_Writer writer;
-      written = writer.Transfer(compound, STEPControl_AsIs) == IFSelect_RetDone &&
-                writer.Write(filename.c_str()) == IFSelect_RetDone;
+      BRep_Builder builder;
+      TopoDS_Compound compound;
+      builder.MakeCompound(compound);
+      for (const NurbsPatch &patch : patches)
+        builder.Add(compound, to_face(patch));
+      written = write_shape(compound, filename);
     }
-    else
+    catch (const Standard_Failure &failure)
     {
-      IGESControl_Writer writer("MM", 0);
-      written = writer.AddShape(compound);
-      writer.ComputeModel();
-      written = written && writer.Write(filename.c_str());
+      throw not_understood(filename, failure);
     }
     if (!written)
-      throw InputError(filename, "", "the file cannot be written", "");
+      throw InputError(filename, "", "the file cannot be written",
+                       "does its folder exist, and is there space on the disk?");
   }
 #else
+  namespace
+  {
+    InputError unavailable(const std::string &filename)
+    {
+      return InputError(filename, "", "this program was built without OpenCASCADE",
+                        "build with a deal.II that has it");
+    }
+  } // namespace
+
   std::vector<NurbsPatch> read_cad(const std::string &filename)
   {
-    throw InputError(filename, "", "this program was built without OpenCASCADE",
-                     "build with a deal.II that has it");
+    throw unavailable(filename);
   }
 
   void write_cad(const std::vector<NurbsPatch> &, const std::string &filename)
   {
-    throw InputError(filename, "", "this program was built without OpenCASCADE",
-                     "build with a deal.II that has it");
+    throw unavailable(filename);
   }
 #endif
-
-  Surface join(std::vector<NurbsPatch> patches, const unsigned int degree, const double tolerance)
-  {
-    unsigned int highest = degree;
-    for (const NurbsPatch &patch : patches)
-      highest = std::max({highest, patch.knots(0).degree(), patch.knots(1).degree()});
-    Surface surface;
-    for (unsigned int k = 0; k < patches.size(); ++k)
-    {
-      for (unsigned int d = 0; d < 2; ++d)
-        patches[k].elevate_degree(d, highest - patches[k].knots(d).degree());
-      Surface part = to_surface(patches[k]);
-      NamedSet all{SetKind::element, "patch" + std::to_string(k + 1),
-                   std::vector<unsigned int>(part.elements.size())};
-      std::iota(all.members.begin(), all.members.end(), 0u);
-      part.sets = {all};
-      append(surface, part, tolerance);
-    }
-    return surface;
-  }
-
-  std::vector<NurbsPatch> bezier_patches(const Surface &surface)
-  {
-    const std::vector<Tensor<1, 3>> x = positions(surface);
-    std::vector<NurbsPatch> patches;
-    for (unsigned int e = 0; e < surface.elements.size(); ++e)
-    {
-      const BezierPatch bezier = bezier_patch(surface, e, x);
-      std::vector<ControlPoint> net;
-      for (const auto &h : bezier.coefficients)
-        net.push_back({Point<3>(h[0] / h[3], h[1] / h[3], h[2] / h[3]), h[3]});
-      patches.emplace_back(std::array<KnotVector, 2>{{KnotVector::uniform(bezier.degree[0], 1),
-                                                      KnotVector::uniform(bezier.degree[1], 1)}},
-                           net);
-    }
-    return patches;
-  }
 } // namespace semilunar::spline

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
-#include <semilunar/spline/g1_cap.h>
+#include <semilunar/spline/bernstein.h>
+#include <semilunar/spline/cap_conditions.h>
 
-#include <deal.II/base/numbers.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 namespace semilunar::spline
@@ -18,142 +17,6 @@ namespace semilunar::spline
   {
     constexpr unsigned int d = cap_degree, n_coefficients = (d + 1) * (d + 1);
 
-    double binomial(const unsigned int n, const unsigned int k)
-    {
-      double b = 1.;
-      for (unsigned int i = 1; i <= k; ++i)
-        b = b * (n + 1 - i) / i;
-      return b;
-    }
-
-    /// A condition: sum of factors times coefficients = 0.
-    using Condition = std::map<unsigned int, double>;
-
-    /// Collects the conditions on the coefficients of the faces of a cap. Coefficients on a common
-    /// edge are one; those that regular neighbours determine are given.
-    class Conditions
-    {
-    public:
-      Conditions(const QuadMesh &mesh, const std::vector<unsigned int> &faces)
-          : mesh(mesh), same_as(faces.size() * n_coefficients)
-      {
-        for (unsigned int k = 0; k < faces.size(); ++k)
-          position[faces[k]] = k;
-        std::iota(same_as.begin(), same_as.end(), 0u);
-      }
-
-      bool has(const unsigned int face) const { return position.count(face) > 0; }
-
-      /// Share the edge with another face of the cap.
-      void identify(const unsigned int face, const unsigned int side)
-      {
-        const QuadMesh::TurnedFace other = mesh.neighbour(face, side);
-        for (unsigned int i = 0; i <= d; ++i)
-        {
-          const unsigned int a = coefficient(face, side, i, 0);
-          const unsigned int b = coefficient(other.face, other.turn, d - i, 0);
-          same_as[std::max(a, b)] = std::min(a, b);
-        }
-      }
-
-      /// C1 with a regular neighbour across a side, (U5): two rows are given.
-      void join_regular(const unsigned int face, const unsigned int side,
-                        const FaceCoefficients &other, const unsigned int other_side)
-      {
-        for (unsigned int i = 0; i <= d; ++i)
-        {
-          const LinearForm &edge = other[side_index(d, other_side, d - i, 0)];
-          LinearForm inside;
-          inside.add(2., edge);
-          inside.add(-1., other[side_index(d, other_side, d - i, 1)]);
-          given[coefficient(face, side, i, 0)] = edge;
-          given[coefficient(face, side, i, 1)] = inside;
-        }
-      }
-
-      /// Join another face of the cap G1, (U4).
-      void join(const unsigned int face, const unsigned int side)
-      {
-        const QuadMesh::TurnedFace other = mesh.neighbour(face, side);
-        const double first = gluing(mesh.face(face)[side]);
-        const double last = -gluing(mesh.face(face)[(side + 1) % 4]);
-        if (first != 0. || last != 0.)
-          limit_edge_degree(face, side);
-        for (unsigned int i = 0; i <= d; ++i)
-        {
-          Condition condition;
-          condition[coefficient(face, side, i, 1)] += d; // derivatives across
-          condition[coefficient(other.face, other.turn, d - i, 1)] += d;
-          condition[coefficient(face, side, i, 0)] -= 2. * d;
-          add_gluing(face, side, i, {{first, 0., last}}, condition);
-          conditions.push_back(condition);
-        }
-      }
-
-      /// The number of a face's coefficient after identification.
-      unsigned int number(const unsigned int face, const unsigned int k) const
-      {
-        unsigned int i = position.at(face) * n_coefficients + k;
-        while (same_as[i] != i)
-          i = same_as[i];
-        return i;
-      }
-
-      std::vector<Condition> conditions;
-      std::map<unsigned int, LinearForm> given;
-
-    private:
-      const QuadMesh &mesh;
-      std::map<unsigned int, unsigned int> position;
-      std::vector<unsigned int> same_as; ///< a smaller number, or itself
-
-      unsigned int coefficient(const unsigned int face, const unsigned int side,
-                               const unsigned int along, const unsigned int inside) const
-      {
-        return number(face, side_index(d, side, along, inside));
-      }
-
-      /// 2 cos(2 pi / valence), (U3).
-      double gluing(const unsigned int vertex) const
-      {
-        return mesh.is_extraordinary(vertex)
-                   ? 2. * std::cos(2. * dealii::numbers::PI / mesh.valence(vertex))
-                   : 0.;
-      }
-
-      /// The edge has degree d - 1 only, so that its derivative times the gluing has degree d.
-      void limit_edge_degree(const unsigned int face, const unsigned int side)
-      {
-        Condition condition;
-        for (unsigned int i = 0; i <= d; ++i)
-          condition[coefficient(face, side, i, 0)] = (i % 2 == 0 ? 1. : -1.) * binomial(d, i);
-        conditions.push_back(condition);
-      }
-
-      /// Subtract coefficient i of the gluing polynomial times the derivative along the edge.
-      void add_gluing(const unsigned int face, const unsigned int side, const unsigned int i,
-                      const std::array<double, 3> &gluing, Condition &condition) const
-      {
-        // the derivative, degree d - 1, is known to have degree d - 2 only: reduce it (U6)
-        static_assert(d == 5, "the reduction is written out for this degree");
-        const double reduce[4][5] = {{1., 0., 0., 0., 0.},
-                                     {-1. / 3., 4. / 3., 0., 0., 0.},
-                                     {0., 0., 0., 4. / 3., -1. / 3.},
-                                     {0., 0., 0., 0., 1.}};
-        for (unsigned int k = 0; k < 3; ++k)
-          for (unsigned int l = 0; l < 4; ++l)
-            if (k + l == i && gluing[k] != 0.)
-            {
-              const double product = binomial(2, k) * binomial(3, l) / binomial(5, i) * gluing[k];
-              for (unsigned int m = 0; m < 5; ++m)
-              {
-                condition[coefficient(face, side, m + 1, 0)] -= d * product * reduce[l][m];
-                condition[coefficient(face, side, m, 0)] += d * product * reduce[l][m];
-              }
-            }
-      }
-    };
-
     using Matrix = dealii::LAPACKFullMatrix<double>;
     using Vector = dealii::Vector<double>;
 
@@ -161,18 +24,18 @@ namespace semilunar::spline
     class SolutionSpace
     {
     public:
-      SolutionSpace(const Conditions &all, const std::set<unsigned int> &numbers) : all(all)
+      SolutionSpace(const CapConditions &all, const std::set<unsigned int> &numbers) : all(all)
       {
         for (const unsigned int i : numbers)
-          if (all.given.count(i) == 0)
+          if (all.given().count(i) == 0)
             unknowns.push_back(i);
         for (unsigned int k = 0; k < unknowns.size(); ++k)
           place[unknowns[k]] = k;
-        Matrix A(all.conditions.size(), unknowns.size());
+        Matrix A(all.conditions().size(), unknowns.size());
         A = 0.;
-        for (unsigned int r = 0; r < all.conditions.size(); ++r)
-          for (const auto &[i, factor] : all.conditions[r])
-            if (all.given.count(i) == 0)
+        for (unsigned int r = 0; r < all.conditions().size(); ++r)
+          for (const auto &[i, factor] : all.conditions()[r])
+            if (all.given().count(i) == 0)
               A(r, place[i]) = factor;
         inverse = A;
         constexpr double dependent = 1e-10; // of the largest singular value
@@ -243,7 +106,7 @@ namespace semilunar::spline
       }
 
     private:
-      const Conditions &all;
+      const CapConditions &all;
       std::vector<unsigned int> unknowns;
       std::map<unsigned int, unsigned int> place;
       Matrix inverse, right_vectors;
@@ -252,13 +115,14 @@ namespace semilunar::spline
       /// What a set of coefficients misses in each condition, for one control point.
       Vector defects(const Vector &x, const unsigned int control_point) const
       {
-        Vector defect(all.conditions.size());
-        for (unsigned int r = 0; r < all.conditions.size(); ++r)
-          for (const auto &[i, factor] : all.conditions[r])
+        Vector defect(all.conditions().size());
+        for (unsigned int r = 0; r < all.conditions().size(); ++r)
+          for (const auto &[i, factor] : all.conditions()[r])
           {
-            const auto given = all.given.find(i);
-            defect[r] -= factor * (given == all.given.end() ? x[place.at(i)]
-                                                            : given->second.factor(control_point));
+            const auto given = all.given().find(i);
+            defect[r] -=
+                factor *
+                (given == all.given().end() ? x[place.at(i)] : given->second.factor(control_point));
           }
         return defect;
       }
@@ -271,39 +135,14 @@ namespace semilunar::spline
           points.insert(term.first);
     }
 
-    Conditions make_conditions(const QuadMesh &mesh, const std::vector<unsigned int> &faces,
-                               const std::map<unsigned int, FaceCoefficients> &regular)
-    {
-      Conditions conditions(mesh, faces);
-      const auto for_each_side = [&](const auto &inner, const auto &outer)
-      {
-        for (const unsigned int f : faces)
-          for (unsigned int s = 0; s < 4; ++s)
-          {
-            const QuadMesh::TurnedFace other = mesh.neighbour(f, s);
-            if (!conditions.has(other.face))
-              outer(f, s, other);
-            else if (f < other.face)
-              inner(f, s);
-          }
-      };
-      const auto nothing = [](auto &&...) {};
-      for_each_side([&](const unsigned int f, const unsigned int s) { conditions.identify(f, s); },
-                    nothing);
-      for_each_side([&](const unsigned int f, const unsigned int s) { conditions.join(f, s); },
-                    [&](const unsigned int f, const unsigned int s, const auto &other)
-                    { conditions.join_regular(f, s, regular.at(other.face), other.turn); });
-      return conditions;
-    }
-
     /// Writes what was found for each control point into the faces.
     class CapWriter
     {
     public:
-      CapWriter(const Conditions &conditions, const std::vector<unsigned int> &faces)
+      CapWriter(const CapConditions &conditions, const std::vector<unsigned int> &faces)
           : conditions(conditions), faces(faces), forms(faces.size() * n_coefficients)
       {
-        for (const auto &[i, form] : conditions.given)
+        for (const auto &[i, form] : conditions.given())
           forms[i] = form;
       }
 
@@ -324,7 +163,7 @@ namespace semilunar::spline
       }
 
     private:
-      const Conditions &conditions;
+      const CapConditions &conditions;
       const std::vector<unsigned int> &faces;
       std::vector<LinearForm> forms;
     };
@@ -360,7 +199,7 @@ namespace semilunar::spline
                const std::map<unsigned int, FaceCoefficients> &initial,
                const bool with_own_functions, const unsigned int first_own)
   {
-    const Conditions conditions = make_conditions(mesh, faces, regular);
+    const CapConditions conditions(mesh, faces, regular);
     std::set<unsigned int> control_points, numbers;
     std::map<unsigned int, LinearForm> start;
     for (const auto &neighbour : regular)

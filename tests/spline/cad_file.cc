@@ -4,9 +4,24 @@
 
 #include <semilunar/core/exceptions.h>
 #include <semilunar/spline/cad_file.h>
+#include <semilunar/spline/evaluation.h>
+#include <semilunar/spline/patches.h>
 #include <semilunar/spline/primitives.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+
 #include <algorithm>
+#include <functional>
+#include <sstream>
 
 using namespace semilunar;
 using namespace semilunar::spline;
@@ -33,6 +48,12 @@ namespace
     return largest;
   }
 
+  unsigned int n_parts(const Surface &surface)
+  {
+    const std::vector<unsigned int> parts = connected_parts(surface);
+    return 1 + *std::max_element(parts.begin(), parts.end());
+  }
+
   void round_trip(const std::string &filename, const std::vector<NurbsPatch> &patches)
   {
     write_cad(patches, filename);
@@ -41,25 +62,74 @@ namespace
     for (unsigned int k = 0; k < std::min(patches.size(), back.size()); ++k)
       error = std::max(error, largest_distance(patches[k], back[k]));
     const Surface surface = join(back, 3, 1e-6);
-    const std::vector<unsigned int> parts = connected_parts(surface);
-    log() << filename << ": " << back.size() << " patches, joined to "
-          << 1 + *std::max_element(parts.begin(), parts.end()) << " part, "
-          << surface.elements.size() << " elements, " << surface.control_points.size()
+    log() << filename << ": " << back.size() << " patches, joined to " << n_parts(surface)
+          << " part, " << surface.elements.size() << " elements, " << surface.control_points.size()
           << " control points" << std::endl;
     check("same surfaces", error, 1e-10);
   }
 
-  void refused(const std::string &filename)
+  /// Neighbours that miss each other by a little are joined only within the tolerance.
+  void gaps(const NurbsPatch &first, NurbsPatch second)
+  {
+    std::vector<ControlPoint> net = second.control_net();
+    for (ControlPoint &point : net)
+      point.position[2] += 1e-4;
+    second = NurbsPatch({{second.knots(0), second.knots(1)}}, net);
+    log() << "a gap of 1e-4: " << n_parts(join({first, second}, 3, 1e-5)) << " parts within 1e-5, "
+          << n_parts(join({first, second}, 3, 1e-3)) << " within 1e-3" << std::endl;
+  }
+
+  /// Files of another program, in millimetres.
+  void write_face(const TopoDS_Face &face, const std::string &filename)
+  {
+    STEPControl_Writer writer;
+    writer.Transfer(face, STEPControl_AsIs);
+    writer.Write(filename.c_str());
+  }
+
+  /// A quarter of a cylinder that is no spline, normal outward or inward.
+  void cylinder_of_others(const bool reversed)
+  {
+    const TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(gp_Cylinder(gp::XOY(), 11.), 0., M_PI / 2., 0., 7.).Face();
+    write_face(reversed ? TopoDS::Face(face.Reversed()) : face, "cylinder.step");
+    const Surface surface = to_surface(read_cad("cylinder.step").at(0));
+    double off = 0.;
+    for (unsigned int k = 0; k <= 20; ++k)
+    {
+      const Tensor<1, 3> x = evaluate(surface, {0, {k / 20., k / 20.}})[value];
+      off = std::max(off, std::abs(std::hypot(x[0], x[1]) - 1.1));
+    }
+    check("radius of a cylinder [cm]", off, 1e-14);
+    const SurfaceJet jet = evaluate(surface, {0, {0.3, 0.4}});
+    const bool outward = cross_product_3d(jet[d1], jet[d2]) * jet[value] > 0.;
+    log() << "its normal points " << (outward ? "outward" : "inward") << std::endl;
+  }
+
+  void refused(const std::function<void()> &action)
   {
     try
     {
-      read_cad(filename);
+      action();
       log() << "NO COMPLAINT" << std::endl;
     }
     catch (const InputError &error)
     {
       log() << error.what() << std::endl;
     }
+  }
+
+  void refused(const std::string &filename)
+  {
+    refused([&]() { read_cad(filename); });
+  }
+
+  /// The first half of a file.
+  void truncate(const std::string &filename, const std::string &half)
+  {
+    std::ostringstream text;
+    text << std::ifstream(filename).rdbuf();
+    std::ofstream(half) << text.str().substr(0, text.str().size() / 2);
   }
 } // namespace
 
@@ -74,7 +144,20 @@ int main()
   round_trip("pieces.step", patches);
   round_trip("pieces.iges", patches);
   round_trip("elements.stp", bezier_patches(join({patches[0], patches[1]}, 3, 1e-9)));
+  gaps(patches[0], patches[1]);
+  cylinder_of_others(false);
+  cylinder_of_others(true);
+
   refused("missing.step");
   std::ofstream("nonsense.stp") << "nothing of the kind";
   refused("nonsense.stp");
+  truncate("pieces.step", "half.step");
+  refused("half.step");
+  const TopoDS_Wire circle =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), 5.)).Edge()).Wire();
+  write_face(BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), circle).Face(), "disc.step");
+  refused("disc.step");
+  write_cad({}, "empty.igs");
+  refused("empty.igs");
+  refused([&]() { write_cad(patches, "no-such-folder/pieces.step"); });
 }

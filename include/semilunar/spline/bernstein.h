@@ -37,6 +37,9 @@ namespace semilunar::spline
   /// The matrix M, (p+1) x (p+1) row by row, that turns values f_k at the points into Bernstein
   /// coefficients: sum_b (sum_k M_bk f_k) B_b interpolates f. p + 1 distinct points are needed.
   std::vector<double> bernstein_from_values(const std::vector<double> &points);
+
+  /// n choose k.
+  double binomial(unsigned int n, unsigned int k);
 } // namespace semilunar::spline
 
 #endif

@@ -18,14 +18,6 @@ namespace semilunar::spline
   /// Write patches as faces of a STEP or IGES file; lengths in cm become the millimetres of the file.
   /// @throws InputError if the file cannot be written
   void write_cad(const std::vector<NurbsPatch> &patches, const std::string &filename);
-
-  /// Patches as one surface: raised to a common degree of at least @p degree, and joined where
-  /// control points of edges are not farther than the tolerance from each other. No named sets but
-  /// the element sets patch1, patch2, ...
-  Surface join(std::vector<NurbsPatch> patches, unsigned int degree, double tolerance);
-
-  /// Each Bezier element as a patch of its own, for surfaces that are not made of patches.
-  std::vector<NurbsPatch> bezier_patches(const Surface &surface);
 } // namespace semilunar::spline
 
 #endif
