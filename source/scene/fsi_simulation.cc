@@ -3,6 +3,8 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/interrupt.h>
 #include <semilunar/scene/fsi_simulation.h>
+#include <semilunar/scene/surface_report.h>
+#include <semilunar/valve/stent.h>
 
 #include <algorithm>
 
@@ -41,7 +43,13 @@ namespace semilunar::scene
   void FsiSimulation::run()
   {
     if (context.dry_run)
+    {
+      spline::Surface surfaces = valve.leaflets().surface;
+      const double merge_nothing = -1.;
+      spline::append(surfaces, valve::stent(prm.source.design), merge_nothing);
+      print(report(surfaces), context.log);
       return;
+    }
     try
     {
       context.restart ? go_on() : record->begin();

@@ -34,25 +34,62 @@ namespace semilunar::scene
     /// shell theory says nothing within about a thickness: so many thicknesses are left out.
     constexpr double commissure_neighbourhood = 2.;
 
-    /// The largest strain on either face further away from the commissures than that.
-    double strain_off_commissures(const ShellModel &model, const shell::ControlVectors &x,
-                                  const valve::Design &design)
+    /// The largest strain on either face further away from the commissures than that. Strain rises
+    /// towards them: elements around the limit are looked at in many points, or the value would
+    /// depend on where the next Gauss point lies.
+    class StrainOffCommissures
     {
-      std::vector<spline::Tensor<1, 3>> commissures;
-      for (const auto &point : model.surface.control_points)
-        if (point.position[2] > (1. - 1e-12) * design.commissure_height)
-          commissures.push_back(point.position);
-      const double radius = commissure_neighbourhood * model.section->thickness();
-      const auto counts = [&](const unsigned int q)
+    public:
+      StrainOffCommissures(const ShellModel &model, const shell::ControlVectors &x,
+                           const valve::Design &design)
+          : model(model), x(x), half_thickness(0.5 * model.section->thickness()),
+            limit(commissure_neighbourhood * model.section->thickness())
       {
-        const auto position = spline::evaluate(
-            model.surface, {model.points.element(q), model.points.xi(q)})[spline::value];
-        return std::none_of(commissures.begin(), commissures.end(),
-                            [&](const auto &c) { return (c - position).norm() < radius; });
-      };
-      return std::max(largest_strain(model, x, 1, counts).value,
-                      largest_strain(model, x, -1, counts).value);
-    }
+        for (const auto &point : model.surface.control_points)
+          if (point.position[2] > (1. - 1e-12) * design.commissure_height)
+            commissures.push_back(point.position);
+      }
+
+      double operator()() const
+      {
+        double largest = 0.;
+        for (unsigned int e = 0; e < model.surface.elements.size(); ++e)
+        {
+          double nearest = std::numeric_limits<double>::infinity();
+          for (unsigned int q = model.points.first_point(e); q < model.points.first_point(e + 1);
+               ++q)
+            nearest = std::min(nearest, look_at({e, model.points.xi(q)}, largest));
+          if (nearest < 2. * limit)
+            for (unsigned int k = 0; k < (n_samples + 1) * (n_samples + 1); ++k)
+              look_at({e,
+                       {double(k % (n_samples + 1)) / n_samples,
+                        double(k / (n_samples + 1)) / n_samples}},
+                      largest);
+        }
+        return largest;
+      }
+
+    private:
+      static constexpr unsigned int n_samples = 20; ///< in each direction
+      const ShellModel &model;
+      const shell::ControlVectors &x;
+      const double half_thickness, limit;
+      std::vector<spline::Tensor<1, 3>> commissures;
+
+      /// Take a point into account. @return its distance from the nearest commissure
+      double look_at(const spline::SurfacePoint &point, double &largest) const
+      {
+        const auto position = spline::evaluate(model.surface, point)[spline::value];
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto &c : commissures)
+          nearest = std::min(nearest, (c - position).norm());
+        if (nearest >= limit)
+          for (const double xi : {half_thickness, -half_thickness})
+            largest = std::max(largest,
+                               principal_strains(model.assembly.section_strain(x, point), xi)[0]);
+        return nearest;
+      }
+    };
   } // namespace
 
   void ValveStatics::add_parameters(dealii::ParameterHandler &prm)
@@ -107,7 +144,7 @@ namespace semilunar::scene
       quantities.push_back(
           {"rotational_asymmetry", valve::rotational_asymmetry(model.surface, x), "-"});
     quantities.push_back(
-        {"max_mipe_off_commissures", strain_off_commissures(model, x, source.design), "-"});
+        {"max_mipe_off_commissures", StrainOffCommissures(model, x, source.design)(), "-"});
     if (!model.contact)
       return;
     model.contact->update(x);

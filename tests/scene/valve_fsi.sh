@@ -19,6 +19,9 @@ valve() {
     --set "Flow/Linear tolerance=1e-6" "$@"
 }
 
+# A dry run tells about the surfaces.
+expect 0 'leaflets at most' "$scenes/fsi-rigid.prm" --dry-run --set "Mesh/Artery/Cells around=12"
+
 valve one
 expect_between one peak_flow_rate 2.5 4.5
 expect_between one largest_power_imbalance 0 1e-8
