@@ -96,6 +96,13 @@ expect_between adapted estimated_error 0.1 0.25
 elements=$(awk -F, 'END { print $2 }' adapted/adaptivity.csv)
 expect 0 "$elements elements" "$scenes/structural-cycle.prm" --dry-run "${t_spline[@]}" \
   --set "Valve/T-spline/Sizes file=adapted/elements.csv"
+whole_program=$program
+program=$folder/by_2_ranks
+expect 0 'round 1: estimated error' "$scenes/closure.prm" --output adapted_by_2_ranks \
+  "${t_spline[@]}" --set "Adaptivity/Rounds=1"
+program=$whole_program
+cmp -s <(head -n 3 adapted/adaptivity.csv) adapted_by_2_ranks/adaptivity.csv ||
+  failed "two ranks refine differently"
 expect 1 'Adaptivity/Rounds = "1": only T-splines are refined locally' "$scenes/closure.prm" \
   --output none --set "Adaptivity/Rounds=1"
 
