@@ -65,8 +65,14 @@ namespace semilunar
 
   ParameterInput ParameterInput::read(const std::string &filename)
   {
+    return read(filename, {});
+  }
+
+  ParameterInput ParameterInput::read(const std::string &filename, std::vector<std::string> readers)
+  {
     ParameterInput input;
     input.file = filename;
+    readers.push_back(std::filesystem::weakly_canonical(filename).string());
     std::ifstream file = open_scene_file(filename);
     std::vector<SectionStart> open;
     std::string line, statement, where;
@@ -81,7 +87,10 @@ namespace semilunar
       statement += part;
       if (continues)
         continue;
-      input.add_line(trim(statement), where, open);
+      if (trim(statement).rfind("include ", 0) == 0)
+        input.include(trim(trim(statement).substr(8)), where, readers);
+      else
+        input.add_line(trim(statement), where, open);
       statement.clear();
     }
     if (!statement.empty())
@@ -92,6 +101,23 @@ namespace semilunar
                        "the file ends inside of subsection " + open.back().path,
                        "close it with a line 'end'");
     return input;
+  }
+
+  void ParameterInput::include(const std::string &filename, const std::string &where,
+                               const std::vector<std::string> &readers)
+  {
+    if (!entries.empty() || !section_starts.empty())
+      throw InputError(where, "include " + filename, "other statements come before it",
+                       "make it the first one");
+    const std::filesystem::path path = std::filesystem::path(file).parent_path() / filename;
+    const std::string canonical = std::filesystem::weakly_canonical(path).string();
+    if (std::find(readers.begin(), readers.end(), canonical) != readers.end())
+      throw InputError(where, "include " + filename, "the file includes itself", "remove the line");
+    ParameterInput included = read(path.string(), readers);
+    entries = std::move(included.entries);
+    section_starts = std::move(included.section_starts);
+    for (const Assignment &entry : entries)
+      included_paths.insert(entry.path);
   }
 
   void ParameterInput::add_line(const std::string &line, const std::string &where,
@@ -121,7 +147,8 @@ namespace semilunar
       add_assignment(rest, where, section);
     else
       throw InputError(where, line, "this is no statement",
-                       "a line is 'subsection NAME', 'set ENTRY = VALUE', 'end' or '# comment'");
+                       "a line is 'subsection NAME', 'set ENTRY = VALUE', 'end', 'include FILE' or "
+                       "'# comment'");
   }
 
   void ParameterInput::add_assignment(const std::string &statement, const std::string &where,
@@ -132,11 +159,12 @@ namespace semilunar
     if (equals == std::string::npos || name.empty())
       throw InputError(where, "set " + statement, "this sets nothing", "write 'set ENTRY = VALUE'");
     const std::string path = join(section, name);
-    if (const Assignment *earlier = find(path))
+    const Assignment *const earlier = find(path);
+    if (earlier && included_paths.erase(path) == 0)
       throw InputError(where + ", " + path, trim(statement.substr(equals + 1)),
                        "the entry was set before, at " + earlier->where, "keep one of the two");
     const auto directory = std::filesystem::absolute(file).parent_path().string();
-    entries.push_back({path, trim(statement.substr(equals + 1)), where, directory});
+    replace({path, trim(statement.substr(equals + 1)), where, directory});
   }
 
   void ParameterInput::override_with(const std::string &argument)

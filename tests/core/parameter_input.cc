@@ -119,6 +119,22 @@ namespace
     complain("", {"Shell/Thickness=1", "Shell/Thickness=2"});
   }
 
+  void included_files()
+  {
+    std::ofstream("base.prm")
+        << "subsection Shell\nset Thickness = 1\nsubsection Material\nset Law = "
+           "neo-Hookean\nend\nend\n";
+    const Material material =
+        read("# first\ninclude base.prm\nsubsection Shell\nset Thickness = 2\n"
+             "end\n");
+    log() << "included: " << material.thickness << ' ' << material.law << std::endl;
+    complain("include base.prm\nsubsection Shell\nset Thickness = 2\nset Thickness = 3\nend\n");
+    complain("subsection Shell\nend\ninclude base.prm\n");
+    complain("include scene.prm\n");
+    complain("include bas.prm\n");
+    complain("include base.prm\nsubsection Shell\nset Thicknes = 3\nend\n");
+  }
+
   /// A printed file is a valid one and gives the same values.
   void round_trip()
   {
@@ -137,5 +153,6 @@ int main()
   good_files();
   mistakes_of_syntax();
   mistakes_of_names_and_values();
+  included_files();
   round_trip();
 }

@@ -2,6 +2,7 @@
 #ifndef semilunar_core_parameter_input_h
 #define semilunar_core_parameter_input_h
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace semilunar
   ///       set Source = cylinder
   ///     end
   ///
-  /// (a line that ends in \ goes on in the next one) and of --set "Section/Entry=value" arguments,
+  /// (a line that ends in \ goes on in the next one; "include FILE" as the first statement takes
+  /// over another scene file, whose entries may then be set otherwise) and of --set "Section/Entry=value" arguments,
   /// each with the place where it was written.
   class ParameterInput
   {
@@ -55,6 +57,10 @@ namespace semilunar
     const std::string &filename() const { return file; }
 
   private:
+    /// @param readers the files that include this one
+    static ParameterInput read(const std::string &filename, std::vector<std::string> readers);
+    void include(const std::string &filename, const std::string &where,
+                 const std::vector<std::string> &readers);
     void add_line(const std::string &line, const std::string &where,
                   std::vector<SectionStart> &open);
     void add_assignment(const std::string &statement, const std::string &where,
@@ -62,6 +68,7 @@ namespace semilunar
 
     std::string file;
     std::vector<Assignment> entries;
+    std::set<std::string> included_paths; ///< of entries that may still be set otherwise
     std::vector<SectionStart> section_starts;
   };
 } // namespace semilunar
