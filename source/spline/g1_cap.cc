@@ -194,26 +194,41 @@ namespace semilunar::spline
     return result;
   }
 
+  namespace
+  {
+    /// What a cap starts from, by the numbers of its coefficients.
+    struct Start
+    {
+      std::set<unsigned int> control_points, numbers;
+      std::map<unsigned int, LinearForm> coefficients;
+
+      Start(const CapConditions &conditions, const std::vector<unsigned int> &faces,
+            const std::map<unsigned int, FaceCoefficients> &regular,
+            const std::map<unsigned int, FaceCoefficients> &initial)
+      {
+        for (const auto &neighbour : regular)
+          add_control_points(neighbour.second, control_points);
+        for (const unsigned int f : faces)
+        {
+          add_control_points(initial.at(f), control_points);
+          for (unsigned int k = 0; k < n_coefficients; ++k)
+          {
+            numbers.insert(conditions.number(f, k));
+            coefficients[conditions.number(f, k)] = initial.at(f)[k];
+          }
+        }
+      }
+    };
+  } // namespace
+
   G1Cap g1_cap(const QuadMesh &mesh, const std::vector<unsigned int> &faces,
                const std::map<unsigned int, FaceCoefficients> &regular,
                const std::map<unsigned int, FaceCoefficients> &initial,
                const bool with_own_functions, const unsigned int first_own)
   {
     const CapConditions conditions(mesh, faces, regular);
-    std::set<unsigned int> control_points, numbers;
-    std::map<unsigned int, LinearForm> start;
-    for (const auto &neighbour : regular)
-      add_control_points(neighbour.second, control_points);
-    for (const unsigned int f : faces)
-    {
-      add_control_points(initial.at(f), control_points);
-      for (unsigned int k = 0; k < n_coefficients; ++k)
-      {
-        numbers.insert(conditions.number(f, k));
-        start[conditions.number(f, k)] = initial.at(f)[k];
-      }
-    }
-    const SolutionSpace space(conditions, numbers);
+    const Start start(conditions, faces, regular, initial);
+    const SolutionSpace space(conditions, start.numbers);
     const SolutionSpace::Basis basis = with_own_functions ? space.basis() : SolutionSpace::Basis{};
     const std::vector<unsigned int> &unknowns = space.free_numbers();
 
@@ -224,10 +239,10 @@ namespace semilunar::spline
       for (unsigned int i = 0; i < unknowns.size(); ++i)
         writer.set(unknowns[i], first_own + k, basis.solutions(k, i));
     Vector x(unknowns.size());
-    for (const unsigned int c : control_points)
+    for (const unsigned int c : start.control_points)
     {
       for (unsigned int i = 0; i < unknowns.size(); ++i)
-        x[i] = start.at(unknowns[i]).factor(c);
+        x[i] = start.coefficients.at(unknowns[i]).factor(c);
       space.correct(x, c);
       // what the cap's own functions shall say, the control point's function must not
       for (unsigned int k = 0; k < cap.own.size(); ++k)
