@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Prescribed and tied displacements: counts, values, conflicts, the transposed map of forces; the reduced
-// tangent matrix against the product with the dense map.
+// Prescribed and tied displacements: counts, values, conflicts, the transposed map of forces; the
+// reduced tangent matrix against the product with the dense map.
 
 #include <semilunar/core/exceptions.h>
 #include <semilunar/shell/sparse_system.h>
@@ -139,6 +139,10 @@ namespace
     equations.restrict(f, r);
     check("restrict is the transpose of expand", dot(f, expand(equations, u, 0.)) - r * u, 1e-14);
     const Vectors at_2 = expand(equations, u, 2.), at_0 = expand(equations, u, 0.);
+    Vector gathered;
+    equations.gather(at_2, gathered);
+    gathered -= u;
+    check("gather is the inverse of expand", gathered.linfty_norm(), 0.);
     check("expansion is linear in solution and load", norm(sum(sum(at_2, -1., at_0), -4., moved)),
           1e-14);
   }
