@@ -32,13 +32,13 @@ namespace semilunar::coupling
                                  const Parameters &parameters, Timers &timers)
       : flow(flow), communicator(flow.spaces().communicator()), immersed(immersed),
         shell(immersed.motion), rigid(rigid), density(fluid.density), viscosity(fluid.viscosity),
-        prm(parameters), timers(timers), near(flow.spaces())
+        prm(parameters), timers(timers), gauss(&immersed.points), near(flow.spaces())
   {
     const Timers::Scope timer(timers, "coupling: points");
     if (shell)
     {
       y = shell->displacement();
-      points = surface_points(immersed.surface, immersed.points, shell->positions(y));
+      points = surface_points(immersed.surface, *gauss, shell->positions(y));
       in_shell = std::make_unique<ImmersedPoints>(flow, points.positions);
     }
     points = concatenate(std::move(points), rigid);
@@ -46,6 +46,13 @@ namespace semilunar::coupling
       in_rigid = std::make_unique<ImmersedPoints>(flow, rigid.positions);
     lambda.assign(points.positions.size(), 0.);
     penalties.resize(points.positions.size());
+    adapt_points();
+  }
+
+  SurfacePoints FluidStructure::all_points() const
+  {
+    return shell ? concatenate(surface_points(immersed.surface, *gauss, shell->positions(y)), rigid)
+                 : rigid;
   }
 
   void FluidStructure::forget_history()
@@ -54,12 +61,11 @@ namespace semilunar::coupling
     if (shell)
     {
       y = shell->displacement();
-      points = concatenate(surface_points(immersed.surface, immersed.points, shell->positions(y)),
-                           rigid);
+      points = all_points();
       in_shell->search_again(points.positions);
     }
-    if (in_rigid)
-      in_rigid->search_again(rigid.positions);
+    if (in_rigid) // which of its points lie in the wall depends on the cells there
+      in_rigid = std::make_unique<ImmersedPoints>(flow, rigid.positions);
     weighted_dt = 0.; // marks the cells anew
   }
 
@@ -69,8 +75,7 @@ namespace semilunar::coupling
     local.clear();
     if (shell)
     {
-      points = concatenate(surface_points(immersed.surface, immersed.points, shell->positions(y)),
-                           rigid);
+      points = all_points();
       in_shell->move(points.positions);
       local = in_shell->local();
     }
@@ -289,6 +294,7 @@ namespace semilunar::coupling
   CoupledReport FluidStructure::advance(const double dt)
   {
     CoupledReport report;
+    report.new_points = adapt_points();
     flow.start_step(dt);
     try
     {

@@ -103,7 +103,7 @@ namespace semilunar::coupling
 
   void ImmersedPoints::move(const std::vector<Position> &positions)
   {
-    AssertDimension(positions.size(), participants.size());
+    Assert(positions.size() >= participants.size(), dealii::ExcInternalError());
     const unsigned int inside_before = inside;
     std::vector<Held> staying, leaving;
     for (const Held &point : held)

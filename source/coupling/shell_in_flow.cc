@@ -62,7 +62,7 @@ namespace semilunar::coupling
   ShellInFlow::ShellInFlow(const spline::Surface &surface, const shell::QuadraturePoints &points,
                            const shell::Equations &equations, shell::Equilibrium &equilibrium,
                            const shell::Mass &mass)
-      : surface(surface), points(points), equations(equations), equilibrium(equilibrium),
+      : surface(surface), points(&points), equations(equations), equilibrium(equilibrium),
         mass(mass), u(equations.n_equations()), u_old(u), v(u), v_old(u), u_history(u),
         v_history(u), given_forces(u), loads(u)
   {
@@ -104,7 +104,7 @@ namespace semilunar::coupling
 
   void ShellInFlow::set_penalties(std::vector<Tensor<2, 3>> new_penalties)
   {
-    AssertDimension(new_penalties.size(), points.n_points());
+    AssertDimension(new_penalties.size(), points->n_points());
     penalties = std::move(new_penalties);
   }
 
@@ -138,15 +138,15 @@ namespace semilunar::coupling
 
   Tensor<1, 3> ShellInFlow::at_point(const unsigned int q, const ControlVectors &vectors) const
   {
-    return sum_up(points.basis(q, spline::value),
-                  surface.elements[points.element(q)].control_points, vectors);
+    return sum_up(points->basis(q, spline::value),
+                  surface.elements[points->element(q)].control_points, vectors);
   }
 
   void ShellInFlow::add_force(const unsigned int q, const Tensor<1, 3> &force,
                               ControlVectors &forces) const
   {
-    const auto &control_points = surface.elements[points.element(q)].control_points;
-    const double *basis = points.basis(q, spline::value);
+    const auto &control_points = surface.elements[points->element(q)].control_points;
+    const double *basis = points->basis(q, spline::value);
     for (unsigned int a = 0; a < control_points.size(); ++a)
       forces[control_points[a]] += basis[a] * force;
   }
@@ -164,7 +164,7 @@ namespace semilunar::coupling
 
     const ControlVectors velocities = expand(velocity_now);
     ControlVectors drag(surface.control_points.size());
-    for (unsigned int q = 0; q < points.n_points(); ++q)
+    for (unsigned int q = 0; q < points->n_points(); ++q)
       add_force(q, penalties[q] * at_point(q, velocities), drag);
     equations.restrict(drag, fluid_force);
     fluid_force.sadd(-1., 1., given_forces);
@@ -181,9 +181,9 @@ namespace semilunar::coupling
       const auto &control_points = surface.elements[e].control_points;
       const unsigned int n = control_points.size(), stride = 3 * n;
       block.assign(stride * stride, 0.);
-      for (unsigned int q = points.first_point(e); q < points.first_point(e + 1); ++q)
+      for (unsigned int q = points->first_point(e); q < points->first_point(e + 1); ++q)
       {
-        const double *R = points.basis(q, spline::value);
+        const double *R = points->basis(q, spline::value);
         const Tensor<2, 3> K = factor * penalties[q];
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int i = 0; i < 3; ++i)

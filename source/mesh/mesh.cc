@@ -8,11 +8,9 @@ namespace semilunar::mesh
   template <int dim>
   Mesh<dim>::Mesh(const MPI_Comm communicator)
       : triangulation(communicator,
-                      // what geometric multigrid and patches of adaptively refined cells ask for
-                      typename dealii::Triangulation<dim>::MeshSmoothing(
-                          dealii::Triangulation<dim>::limit_level_difference_at_vertices |
-                          dealii::Triangulation<dim>::smoothing_on_refinement |
-                          dealii::Triangulation<dim>::smoothing_on_coarsening),
+                      // cells that touch differ by one level at most; further smoothing would make
+                      // the mesh depend on how it is divided among ranks
+                      dealii::Triangulation<dim>::limit_level_difference_at_vertices,
                       // the order of cells, and with it rounding, depends on the mesh alone and not
                       // on how it came about: a run that is loaded goes on bit for bit
                       dealii::parallel::distributed::Triangulation<

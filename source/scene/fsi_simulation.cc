@@ -18,10 +18,11 @@ namespace semilunar::scene
   }                                        // namespace
 
   FsiSimulation::FsiSimulation(const ValveFsiParameters &parameters, RunContext &context)
-      : prm(parameters), context(context), valve(prm, context.timers), next_dt(prm.step)
+      : prm(parameters), context(context), valve(prm, context.log, context.timers),
+        next_dt(prm.step)
   {
     context.results.unknowns = valve.n_unknowns();
-    valve.report_size(context.log);
+    valve.report_size();
     if (!context.dry_run)
       prepare_record();
   }
@@ -56,6 +57,8 @@ namespace semilunar::scene
       while (!at_end() && !interrupted())
       {
         record->add(step());
+        if (valve.adapt_mesh(context.results.steps))
+          record->locate_sections();
         save_if_due();
       }
     }

@@ -25,6 +25,7 @@ namespace semilunar::scene
     flow.add_parameters(prm);
     boundaries.add_parameters(prm);
     coupling.add_parameters(prm);
+    refinement.add_parameters(prm);
     prm.enter_subsection("Initial state");
     prm.add_parameter("Pressure", initial_pressure,
                       "Of the blood at rest, everywhere [mmHg]. The leaflets begin undeformed.");
@@ -65,6 +66,11 @@ namespace semilunar::scene
     flow.check();
     if (source.leaflets == "one")
       throw InputError("Valve/Modelled leaflets", "one", "blood needs all leaflets", "write all");
+    if (refinement.levels > 0 && (mesh.refinement.n_boxes > 0 || mesh.refinement.n_boundaries > 0))
+      throw InputError("Refinement/Levels", std::to_string(refinement.levels),
+                       "a mesh that follows the leaflets becomes as coarse elsewhere as it is "
+                       "anywhere",
+                       "leave out Mesh/Box refinements and Boundary refinements, or write 0");
     if (!contact.enabled)
       throw InputError("Contact/Enabled", "false",
                        "leaflets in the flow would pass through each "

@@ -15,6 +15,9 @@ namespace semilunar::scene
 {
   namespace
   {
+    /// Immersed points of an element in each direction, before any element asks for more.
+    constexpr unsigned int fewest_points = 2;
+
     std::unique_ptr<ShellModel> make_model(const ValveFsiParameters &prm, Timers &timers)
     {
       const Timers::Scope timer(timers, "set-up");
@@ -26,11 +29,15 @@ namespace semilunar::scene
     }
   } // namespace
 
-  ValveInBlood::ValveInBlood(const ValveFsiParameters &parameters, Timers &timers)
-      : prm(parameters), model(make_model(prm, timers)),
+  ValveInBlood::ValveInBlood(const ValveFsiParameters &parameters, Log &log, Timers &timers)
+      : prm(parameters), log(log), timers(timers), model(make_model(prm, timers)),
         mass(model->surface, model->points, prm.section.mass_per_area()),
         mesh(mesh::make_mesh<3>(prm.mesh, MPI_COMM_WORLD)),
-        points(model->surface, n_points_per_direction(model->surface)),
+        refinement(mesh->triangulation, prm.refinement,
+                   coupling::surface_points(model->surface, model->points,
+                                            spline::positions(model->surface))
+                       .positions),
+        points(model->surface, fewest_points),
         shell(model->surface, points, model->equations, model->equilibrium, mass),
         mapping(prm.flow.degree), conditions(prm.boundaries.conditions<3>(*mesh, {}, {})),
         flow(prm.flow, mesh->triangulation, mapping, conditions, timers),
@@ -43,7 +50,7 @@ namespace semilunar::scene
     coupled = std::make_unique<coupling::FluidStructure>(
         flow, coupling::ImmersedShell{&shell, model->surface, points, prm.section.mass_per_area()},
         stent_points(), prm.flow, prm.coupling, timers);
-    if (coupled->shell_points()->n_inside() < points.n_points())
+    if (coupled->shell_points()->n_inside() < n_points())
       throw InputError("Valve", "", "a part of the leaflets lies outside of the artery",
                        "make the artery wider than the valve");
   }
@@ -81,7 +88,33 @@ namespace semilunar::scene
   {
     const coupling::CoupledReport report = coupled->advance(dt);
     last_dt = report.flow.dt;
+    if (report.new_points)
+      log.line("elements have got other points: " + std::to_string(n_points()) +
+               " immersed points of the leaflets");
     return report;
+  }
+
+  bool ValveInBlood::adapt_mesh(const unsigned int step)
+  {
+    const Timers::Scope timer(timers, "adaptive refinement");
+    std::vector<unsigned int> with_points;
+    for (const auto &point : coupled->shell_points()->local())
+      with_points.push_back(point.active_cell_index);
+    if (!refinement.due(step, with_points) ||
+        !refinement.flag(coupled->positions_of_shell_points()))
+      return false;
+    velocity_dofs.reset(); // its handler must not see the mesh change
+    flow.refine();
+    renew_dofs();
+    coupled->forget_history();
+    log.line("the mesh has followed the leaflets: " +
+             std::to_string(mesh->triangulation.n_global_active_cells()) + " cells");
+    return true;
+  }
+
+  void ValveInBlood::renew_dofs()
+  {
+    velocity_dofs = std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs());
   }
 
   coupling::CoupledReport ValveInBlood::at_rest() const
@@ -115,12 +148,12 @@ namespace semilunar::scene
            model->equations.n_equations();
   }
 
-  void ValveInBlood::report_size(Log &log) const
+  void ValveInBlood::report_size() const
   {
     scene::report_size(*model, log);
     const mesh::Quality quality = mesh::measure<3>(mesh->triangulation, mapping);
     log.line(mesh::describe(quality) + ", " + std::to_string(n_unknowns()) + " unknowns in all");
-    std::string text = std::to_string(points.n_points()) + " immersed points of the leaflets";
+    std::string text = std::to_string(n_points()) + " immersed points of the leaflets";
     if (const auto *rigid = coupled->rigid_points())
       text += ", " + std::to_string(rigid->n_inside()) + " of the stent's " +
               std::to_string(rigid->n_points()) + " (the others lie in the wall)";
@@ -149,17 +182,19 @@ namespace semilunar::scene
   {
     const coupling::ShellInFlow::State state = shell.state();
     boost::archive::binary_oarchive archive(out);
-    archive << state << coupled->multipliers() << last_dt;
+    const coupling::PointNumbers numbers = coupled->numbers_of_points();
+    archive << state << numbers << coupled->multipliers() << last_dt;
   }
 
   void ValveInBlood::load_structure(std::istream &in)
   {
     coupling::ShellInFlow::State state;
+    coupling::PointNumbers numbers;
     std::vector<double> multipliers;
     boost::archive::binary_iarchive archive(in);
-    archive >> state >> multipliers >> last_dt;
+    archive >> state >> numbers >> multipliers >> last_dt;
     shell.set_state(state);
-    coupled->set_multipliers(multipliers);
+    coupled->set_points(numbers, multipliers);
   }
 
   void ValveInBlood::save_flow(const std::filesystem::path &folder)
@@ -182,7 +217,7 @@ namespace semilunar::scene
     std::ifstream file(folder / "numbers", std::ios::binary);
     boost::archive::binary_iarchive(file) >> numbers;
     flow.load_state(numbers);
-    velocity_dofs = std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs());
+    renew_dofs();
   }
 
   void ValveInBlood::forget_history()

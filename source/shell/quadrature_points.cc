@@ -43,17 +43,37 @@ namespace semilunar::shell
     BasisValues basis;
     for (unsigned int element = 0; element < surface.elements.size(); ++element)
     {
-      const BezierElement &bezier = surface.elements[element];
-      first.push_back(elements.size());
-      strides.push_back((bezier.n_functions() + simd_width - 1) / simd_width * simd_width);
-      const dealii::QGauss<1> gauss_1(n_per_direction ? n_per_direction : bezier.degree[0] + 1);
-      const dealii::QGauss<1> gauss_2(n_per_direction ? n_per_direction : bezier.degree[1] + 1);
-      for (unsigned int j = 0; j < gauss_2.size(); ++j)
-        for (unsigned int i = 0; i < gauss_1.size(); ++i)
-          append_point(surface, element, Point<2>(gauss_1.point(i)[0], gauss_2.point(j)[0]),
-                       gauss_1.weight(i) * gauss_2.weight(j), basis);
+      const auto &degree = surface.elements[element].degree;
+      std::array<unsigned int, 2> numbers;
+      for (unsigned int d = 0; d < 2; ++d)
+        numbers[d] = n_per_direction ? n_per_direction : degree[d] + 1;
+      append_element(surface, element, numbers, basis);
     }
     first.push_back(elements.size());
+  }
+
+  QuadraturePoints::QuadraturePoints(const Surface &surface,
+                                     const std::vector<std::array<unsigned int, 2>> &numbers)
+  {
+    AssertDimension(numbers.size(), surface.elements.size());
+    BasisValues basis;
+    for (unsigned int element = 0; element < surface.elements.size(); ++element)
+      append_element(surface, element, numbers[element], basis);
+    first.push_back(elements.size());
+  }
+
+  void QuadraturePoints::append_element(const Surface &surface, const unsigned int element,
+                                        const std::array<unsigned int, 2> &numbers,
+                                        BasisValues &basis)
+  {
+    first.push_back(elements.size());
+    strides.push_back((surface.elements[element].n_functions() + simd_width - 1) / simd_width *
+                      simd_width);
+    const dealii::QGauss<1> gauss_1(numbers[0]), gauss_2(numbers[1]);
+    for (unsigned int j = 0; j < gauss_2.size(); ++j)
+      for (unsigned int i = 0; i < gauss_1.size(); ++i)
+        append_point(surface, element, Point<2>(gauss_1.point(i)[0], gauss_2.point(j)[0]),
+                     gauss_1.weight(i) * gauss_2.weight(j), basis);
   }
 
   void QuadraturePoints::append_point(const Surface &surface, const unsigned int element,

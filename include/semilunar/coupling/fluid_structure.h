@@ -5,6 +5,7 @@
 #include <semilunar/coupling/cells_near_surfaces.h>
 #include <semilunar/coupling/immersed_points.h>
 #include <semilunar/coupling/parameters.h>
+#include <semilunar/coupling/point_density.h>
 #include <semilunar/coupling/shell_in_flow.h>
 #include <semilunar/flow/flow_solver.h>
 
@@ -26,6 +27,7 @@ namespace semilunar::coupling
     unsigned int n_iterations = 0; ///< solutions of fluid and structure
     double residual = 0.;          ///< of the shell, relative to its forces
     double largest_slip = 0.;      ///< difference of the normal velocities [cm/s]
+    bool new_points = false;       ///< whether the shell got other points before the step
     InterfacePower power;
     dealii::Tensor<1, 3> force_on_shell, force_on_rigid; ///< of the fluid [dyn]
   };
@@ -35,8 +37,8 @@ namespace semilunar::coupling
   {
     ShellInFlow *motion; ///< null: there is no shell
     const spline::Surface &surface;
-    const shell::QuadraturePoints &points;
-    double mass_per_area; ///< [g/cm^2]
+    const shell::QuadraturePoints &points; ///< at first; elements get more where they need them
+    double mass_per_area;                  ///< [g/cm^2]
   };
 
   /// A flexible shell and a rigid surface in a flow: the dynamic augmented Lagrangian method.
@@ -57,10 +59,19 @@ namespace semilunar::coupling
     /// lambda of all points, those of the shell first; 0 for points outside of the fluid
     /// [dyn/cm^2].
     const std::vector<double> &multipliers() const { return lambda; }
-    void set_multipliers(const std::vector<double> &values) { lambda = values; }
+    /// Gauss points of the shell's elements, in its two directions.
+    PointNumbers numbers_of_points() const;
+    /// Continue with these points and their multipliers.
+    void set_points(const PointNumbers &numbers, const std::vector<double> &multipliers);
     /// What comes next depends on nothing but the states of flow and shell and the multipliers, bit
-    /// for bit, and not on where points and marked cells were before. Collective.
+    /// for bit, and not on where points and marked cells were before. Also to be called when the
+    /// mesh has changed. Collective. @throws NumericsError for a point of the shell that is lost
     void forget_history();
+    /// Where the points of the shell were in the last step [cm].
+    std::vector<dealii::Tensor<1, 3>> positions_of_shell_points() const
+    {
+      return {points.positions.begin(), points.positions.begin() + n_shell_points()};
+    }
     const ImmersedPoints *shell_points() const { return in_shell.get(); }
     const ImmersedPoints *rigid_points() const { return in_rigid.get(); }
     const CellsNearSurfaces &marked_cells() const { return near; }
@@ -79,6 +90,8 @@ namespace semilunar::coupling
     const Parameters prm;
     Timers &timers;
 
+    const shell::QuadraturePoints *gauss; ///< points of the shell
+    std::unique_ptr<const shell::QuadraturePoints> own_gauss;
     std::unique_ptr<ImmersedPoints> in_shell, in_rigid;
     CellsNearSurfaces near;
     double weighted_dt = 0.; ///< for which the marked cells have their weights
@@ -93,7 +106,14 @@ namespace semilunar::coupling
     Vector y;             ///< displacements of the shell at its end
     std::vector<Force> u; ///< velocities of the fluid at the local points
 
-    unsigned int n_shell_points() const { return shell ? immersed.points.n_points() : 0; }
+    unsigned int n_shell_points() const { return shell ? gauss->n_points() : 0; }
+    /// Positions, normals and areas of all points with the shell at y.
+    SurfacePoints all_points() const;
+    /// Width of the smallest cell that each element has points in, on all ranks [cm].
+    std::vector<double> cell_widths() const;
+    /// Give elements more points where they need them. Collective. @return whether any has changed
+    bool adapt_points();
+    void renew_points(const PointNumbers &numbers);
     void place_points();
     void make_penalties();
     void mark_cells(double dt);

@@ -20,7 +20,7 @@ namespace semilunar::coupling
     /// Find the points. Those outside of the mesh take no part. Collective.
     ImmersedPoints(const flow::FlowSolver<3> &flow, const std::vector<Position> &positions);
 
-    /// Follow the points to new positions. Collective.
+    /// Follow the points to new positions; what comes after these is ignored. Collective.
     /// @throws NumericsError on all ranks if a point that was in the fluid has left it
     void move(const std::vector<Position> &positions);
 

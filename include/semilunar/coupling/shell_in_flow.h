@@ -36,6 +36,9 @@ namespace semilunar::coupling
                 const shell::Equations &equations, shell::Equilibrium &equilibrium,
                 const shell::Mass &mass);
 
+    /// From now on the fluid acts at these points, which must outlive the object.
+    void set_points(const shell::QuadraturePoints &new_points) { points = &new_points; }
+
     void start_step(const flow::Bdf &bdf);
     /// The displacements at the end of the step if accelerations were those of the last ones.
     Vector predict() const;
@@ -98,7 +101,7 @@ namespace semilunar::coupling
 
   private:
     const spline::Surface &surface;
-    const shell::QuadraturePoints &points;
+    const shell::QuadraturePoints *points;
     const shell::Equations &equations;
     shell::Equilibrium &equilibrium;
     const shell::Mass &mass;

@@ -4,6 +4,7 @@
 
 #include <semilunar/core/checkpoint.h>
 #include <semilunar/coupling/parameters.h>
+#include <semilunar/coupling/refinement_near_points.h>
 #include <semilunar/flow/parameters.h>
 #include <semilunar/mesh/parameters.h>
 #include <semilunar/output/flow_vtu.h>
@@ -29,6 +30,7 @@ namespace semilunar::scene
     flow::Parameters flow;
     FlowBoundaries boundaries;
     coupling::Parameters coupling;
+    coupling::RefinementParameters refinement;
     CheckpointParameters checkpoints;
 
     double initial_pressure = 80.;                        ///< [mmHg]

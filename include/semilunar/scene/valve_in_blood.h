@@ -3,6 +3,7 @@
 #define semilunar_scene_valve_in_blood_h
 
 #include <semilunar/coupling/fluid_structure.h>
+#include <semilunar/coupling/refinement_near_points.h>
 #include <semilunar/mesh/mesh.h>
 #include <semilunar/output/flow_state.h>
 #include <semilunar/output/velocity_dofs.h>
@@ -17,11 +18,15 @@ namespace semilunar::scene
   {
   public:
     /// @throws InputError for parameters that do not fit each other
-    ValveInBlood(const ValveFsiParameters &parameters, Timers &timers);
+    ValveInBlood(const ValveFsiParameters &parameters, Log &log, Timers &timers);
     ValveInBlood(const ValveInBlood &) = delete;
 
     /// One step. @throws NumericsError; then the state is that before the step
     coupling::CoupledReport advance(double dt);
+
+    /// After a step: let the mesh follow the leaflets if they have left its fine cells. Collective.
+    /// @return whether the mesh has changed
+    bool adapt_mesh(unsigned int step);
 
     /// What a step would report of the state at the start. Collective.
     coupling::CoupledReport at_rest() const;
@@ -37,9 +42,10 @@ namespace semilunar::scene
     const mesh::Mesh<3> &artery() const { return *mesh; }
 
     unsigned long long n_unknowns() const;
-    unsigned int n_points() const { return points.n_points(); }
+    /// Immersed points of the leaflets.
+    unsigned int n_points() const { return coupled->shell_points()->n_points(); }
     /// Lines about the sizes of all parts.
-    void report_size(Log &log) const;
+    void report_size() const;
 
     /// Tell checkpoints about the state.
     void add_to(Checkpoints &checkpoints);
@@ -51,12 +57,15 @@ namespace semilunar::scene
 
   private:
     const ValveFsiParameters &prm;
+    Log &log;
+    Timers &timers;
 
     // The structure.
     const std::unique_ptr<ShellModel> model;
     const shell::Mass mass;
     const std::unique_ptr<mesh::Mesh<3>> mesh;
-    const shell::QuadraturePoints points; ///< at which leaflets and blood hold each other
+    coupling::RefinementNearPoints refinement;
+    const shell::QuadraturePoints points; ///< at which leaflets and blood hold each other at first
     coupling::ShellInFlow shell;
 
     // The blood.
@@ -70,6 +79,7 @@ namespace semilunar::scene
     double cell_width_at_valve() const;
     unsigned int n_points_per_direction(const spline::Surface &surface) const;
     coupling::SurfacePoints stent_points() const;
+    void renew_dofs();
     void save_structure(std::ostream &out) const;
     void load_structure(std::istream &in);
     void save_flow(const std::filesystem::path &folder);

@@ -15,6 +15,9 @@ namespace semilunar::shell
     /// @param n_per_direction Gauss points per element and direction; 0 means degree + 1
     /// @throws InputError naming the element if the surface has no tangent plane at a Gauss point
     QuadraturePoints(const spline::Surface &surface, unsigned int n_per_direction = 0);
+    /// @param numbers of Gauss points of each element in its two directions; the first runs fastest
+    QuadraturePoints(const spline::Surface &surface,
+                     const std::vector<std::array<unsigned int, 2>> &numbers);
 
     unsigned int n_points() const { return elements.size(); }
     /// First point of an element; first_point(n_elements) is n_points().
@@ -41,6 +44,8 @@ namespace semilunar::shell
     const std::array<spline::Tensor<1, 3>, 2> &frame(unsigned int q) const { return frames[q]; }
 
   private:
+    void append_element(const spline::Surface &surface, unsigned int element,
+                        const std::array<unsigned int, 2> &numbers, spline::BasisValues &basis);
     void append_point(const spline::Surface &surface, unsigned int element,
                       const spline::Point<2> &xi, double gauss_weight, spline::BasisValues &basis);
 
