@@ -66,7 +66,7 @@ namespace semilunar::scene
     const auto *inside = shell ? coupled.shell_points() : coupled.rigid_points();
     if (inside->n_inside() == 0)
       throw InputError("Surface", "", "it lies outside of the mesh", "move one of them");
-    coupled.set_multipliers(std::vector<double>(points.n_points(), prm.initial_multiplier));
+    coupled.set_multipliers(prm.initial_multiplier);
     if (shell && displacement)
       initialise();
   }
@@ -108,8 +108,8 @@ namespace semilunar::scene
     if (shell)
       scene::report_size(shell->model, log);
     const auto *inside = shell ? coupled.shell_points() : coupled.rigid_points();
-    std::string text = std::to_string(points.n_points()) + " immersed points";
-    if (inside->n_inside() < points.n_points())
+    std::string text = std::to_string(inside->n_points()) + " immersed points";
+    if (inside->n_inside() < inside->n_points())
       text += ", " + std::to_string(inside->n_inside()) + " of them in the mesh";
     log.line(text);
   }
@@ -179,6 +179,7 @@ namespace semilunar::scene
   double ShellCompanion::displacement_error() const
   {
     const shell::ControlVectors start = spline::positions(surface), now = positions();
+    const shell::QuadraturePoints &points = coupled.gauss_points();
     double sum = 0.;
     for (unsigned int q = 0; q < points.n_points(); ++q)
     {
@@ -191,7 +192,8 @@ namespace semilunar::scene
 
   void ShellCompanion::add_quantities(RunResults &results) const
   {
-    results.quantities.push_back({"immersed_points", double(points.n_points()), "-"});
+    results.quantities.push_back(
+        {"immersed_points", double(coupled.gauss_points().n_points()), "-"});
     results.quantities.push_back({"largest_power_imbalance", largest_imbalance, "-"});
     if (shell && displacement)
       results.quantities.push_back({"displacement_error_l2", displacement_error(), "cm^2"});

@@ -59,6 +59,10 @@ namespace semilunar::coupling
     /// lambda of all points, those of the shell first; 0 for points outside of the fluid
     /// [dyn/cm^2].
     const std::vector<double> &multipliers() const { return lambda; }
+    /// The same for all points.
+    void set_multipliers(const double value) { lambda.assign(lambda.size(), value); }
+    /// At which the shell is held at present.
+    const shell::QuadraturePoints &gauss_points() const { return *gauss; }
     /// Gauss points of the shell's elements, in its two directions.
     PointNumbers numbers_of_points() const;
     /// Continue with these points and their multipliers.

@@ -43,7 +43,7 @@ namespace semilunar::scene
     RunContext &context;
     const flow::FlowSolver<3> &flow;
     const spline::Surface surface;
-    const shell::QuadraturePoints points; ///< at which shell and blood hold each other
+    const shell::QuadraturePoints points; ///< at which shell and blood hold each other at first
     const std::unique_ptr<Moving> shell;  ///< null: it is rigid
     const VectorField<3> load, displacement, velocity;
     coupling::FluidStructure coupled;
