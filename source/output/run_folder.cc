@@ -18,7 +18,8 @@ namespace semilunar::output
     {
       static const std::set<std::string> names = {
           "parameters.prm", "summary.json",  "timeseries.csv",     "profile.csv",
-          "free_edge.csv",  "deviation.csv", "speed_vs_error.csv", "speed_vs_error.svg"};
+          "free_edge.csv",  "deviation.csv", "speed_vs_error.csv", "speed_vs_error.svg",
+          "adaptivity.csv", "elements.csv"};
       static const std::set<std::string> extensions = {".pvd", ".vtu", ".part"};
       return names.count(file.filename().string()) > 0 ||
              extensions.count(file.extension().string()) > 0;
