@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/flow/spaces.h>
+#include <semilunar/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -78,13 +79,19 @@ namespace semilunar::flow
     velocity_nodes_of_batch.clear();
     pressure_nodes_of_batch.clear();
     lane_of_cell.assign(velocity_handler.get_triangulation().n_active_cells(), CellLane());
-    append_cells(true);
+    append_cells(true, false);
     owned_batches = n_cells_of_batch.size();
-    append_cells(false);
+    append_cells(false, false);
+    lumen_batches = n_cells_of_batch.size();
+    append_cells(true, true);
+    owned_wall_end = n_cells_of_batch.size();
+    append_cells(false, true);
+    wall_exists =
+        dealii::Utilities::MPI::max(owned_wall_end - lumen_batches, communicator()) > 0;
   }
 
   template <int dim>
-  void Spaces<dim>::append_cells(const bool owned)
+  void Spaces<dim>::append_cells(const bool owned, const bool in_wall)
   {
     const unsigned int n_u = velocity_element.dofs_per_cell, n_p = pressure_element.dofs_per_cell;
     const auto order_u = dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(degree());
@@ -111,7 +118,8 @@ namespace semilunar::flow
     for (const auto &cell : velocity_handler.active_cell_iterators())
     {
       const auto cell_p = pressure_cell++;
-      if (owned ? !cell->is_locally_owned() : !cell->is_ghost())
+      if ((owned ? !cell->is_locally_owned() : !cell->is_ghost()) ||
+          (cell->material_id() == mesh::wall) != in_wall)
         continue;
       if (lane == n_lanes)
       {

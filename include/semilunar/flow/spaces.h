@@ -26,6 +26,7 @@ namespace semilunar::flow
   };
 
   /// The Taylor-Hood pair on the locally owned and ghost cells, and cells in batches of n_lanes.
+  /// Cells of the artery wall (mesh::wall) have velocities, too; their pressures mean nothing.
   /// The velocity has one scalar space for all components: component c of node i is entry dim i + c
   /// of a velocity vector.
   template <int dim>
@@ -66,9 +67,15 @@ namespace semilunar::flow
     void make_readable_velocity(const Vector &velocity) const;
     void make_readable_pressure(const Vector &pressure) const;
 
-    /// Batches of owned cells come first, those of ghost cells after them.
+    /// Batches of cells of the lumen: those of owned cells come first, those of ghost cells after
+    /// them.
     unsigned int n_owned_batches() const { return owned_batches; }
-    unsigned int n_batches() const { return n_cells_of_batch.size(); }
+    unsigned int n_batches() const { return lumen_batches; }
+    /// Batches of wall cells follow, numbers n_batches() and up, owned cells first as well.
+    unsigned int end_of_owned_wall() const { return owned_wall_end; }
+    unsigned int end_of_wall() const { return n_cells_of_batch.size(); }
+    /// Whether any rank has wall cells.
+    bool has_wall() const { return wall_exists; }
     unsigned int n_filled_lanes(const unsigned int batch) const { return n_cells_of_batch[batch]; }
     /// Stored node of each lane, [lexicographic node]; lanes without a cell repeat the first.
     const NodesOfLanes *velocity_nodes(const unsigned int batch) const
@@ -88,7 +95,7 @@ namespace semilunar::flow
   private:
     void number_unknowns();
     void make_batches();
-    void append_cells(bool owned);
+    void append_cells(bool owned, bool in_wall);
 
     const dealii::FE_Q<dim> velocity_element, pressure_element;
     dealii::DoFHandler<dim> velocity_handler, pressure_handler;
@@ -96,7 +103,8 @@ namespace semilunar::flow
     std::shared_ptr<const Partitioner> node_partitioner, velocity_partitioner, pressure_partitioner;
     HangingNodes hanging_velocity, hanging_pressure;
 
-    unsigned int owned_batches = 0;
+    unsigned int owned_batches = 0, lumen_batches = 0, owned_wall_end = 0;
+    bool wall_exists = false;
     std::vector<unsigned int> n_cells_of_batch;
     std::vector<NodesOfLanes> velocity_nodes_of_batch, pressure_nodes_of_batch;
     std::vector<CellLane> lane_of_cell;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_wall_matrix_h
+#define semilunar_flow_wall_matrix_h
+
+#include <semilunar/flow/velocity_constraints.h>
+#include <semilunar/flow/wall_forms.h>
+
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace semilunar::flow
+{
+  /// The matrix between the velocities of the nodes of wall cells that a rank owns, those of the
+  /// interface with the lumen included, and its factorisation: what the wall is preconditioned
+  /// with, or solved for on one rank.
+  template <int dim>
+  class WallMatrix
+  {
+  public:
+    explicit WallMatrix(const Spaces<dim> &spaces) : spaces(spaces) {}
+
+    /// Find the nodes and build the pattern, after construction and when the mesh was refined.
+    void reinit();
+
+    /// Whether a stored node belongs to a wall cell; and to a cell of the lumen as well.
+    bool in_wall(const unsigned int node) const { return wall_node[node]; }
+    bool at_interface(const unsigned int node) const { return interface_node[node]; }
+    /// Owned nodes of the wall that do not hang.
+    const std::vector<unsigned int> &nodes() const { return owned; }
+
+    /// Assemble what the forms were linearised about.
+    void assemble(const WallForms<dim> &forms);
+    /// Add the same entry for all components, between owned nodes of the wall.
+    void add(unsigned int row, unsigned int column, double entry);
+    /// Remove given directions and factorise. @throws NumericsError if the matrix is singular
+    void factorise(const VelocityConstraints<dim> &constraints);
+
+    /// x = A^-1 b for the entries of nodes(); others stay.
+    void solve(const Vector &b, Vector &x) const;
+
+  private:
+    using Block = dealii::Tensor<2, dim>;
+
+    void find_nodes();
+    void build_pattern();
+    Block *find(unsigned int row, unsigned int column);
+    void eliminate(const VelocityConstraints<dim> &constraints);
+
+    const Spaces<dim> &spaces;
+    std::vector<bool> wall_node, interface_node; ///< of stored nodes
+    std::vector<unsigned int> owned;             ///< stored index
+    std::vector<int> number;                     ///< of a stored node in the list above, or -1
+    std::vector<unsigned int> row_start, column; ///< of blocks, columns sorted
+    std::vector<Block> value;
+
+    dealii::SparsityPattern pattern;
+    dealii::SparseMatrix<double> matrix;
+    std::vector<std::size_t> source; ///< of each entry in pattern: block number, row, column of it
+    dealii::SparseDirectUMFPACK factors;
+  };
+} // namespace semilunar::flow
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef semilunar_flow_wall_parameters_h
+#define semilunar_flow_wall_parameters_h
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace semilunar::flow
+{
+  /// The solid that wall cells consist of: the entries of section "Wall". The defaults are those of
+  /// an aorta.
+  struct WallParameters
+  {
+    void add_parameters(dealii::ParameterHandler &prm);
+
+    std::string material = "neo-Hookean"; ///< or "St.Venant-Kirchhoff"
+    double youngs_modulus = 1e7;          ///< dyn/cm^2
+    double poisson_ratio = 0.45;
+    double density = 1.;                             ///< g/cm^3
+    double damping = 1e4;                            ///< proportional to mass [1/s]
+    std::vector<double> acceleration = {0., 0., 0.}; ///< of gravity [cm/s^2]
+    unsigned int max_geometry_iterations = 1;        ///< of a step
+    double geometry_tolerance = 1e-4;                ///< of the interface [cm]
+
+    /// Lame's constants and the bulk modulus [dyn/cm^2].
+    double shear_modulus() const { return youngs_modulus / (2. * (1. + poisson_ratio)); }
+    double lame() const
+    {
+      return youngs_modulus * poisson_ratio / ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
+    }
+    double bulk_modulus() const { return youngs_modulus / (3. * (1. - 2. * poisson_ratio)); }
+  };
+} // namespace semilunar::flow
+
+#endif
