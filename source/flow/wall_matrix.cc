@@ -16,47 +16,10 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::reinit()
   {
-    find_nodes();
-    build_pattern();
-  }
-
-  template <int dim>
-  void WallMatrix<dim>::find_nodes()
-  {
-    const unsigned int n_owned = spaces.nodes()->locally_owned_size();
-    const unsigned int n_stored = n_owned + spaces.nodes()->n_ghost_indices();
-    const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim);
-    std::vector<bool> in_lumen(n_stored, false);
-    wall_node.assign(n_stored, false);
-    Masters masters;
-    for (unsigned int batch = 0; batch < spaces.end_of_wall(); ++batch)
-      for (unsigned int i = 0; i < n_cell_nodes; ++i)
-        for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
-        {
-          auto &touched = batch < spaces.n_batches() ? in_lumen : wall_node;
-          const unsigned int node = spaces.velocity_nodes(batch)[i][lane];
-          touched[node] = true;
-          spaces.velocity_hanging().masters_of(node, masters);
-          for (const auto &master : masters)
-            touched[master.node] = true;
-        }
-    interface_node.assign(n_stored, false);
-    number.assign(n_stored, -1);
-    owned.clear();
-    for (unsigned int node = 0; node < n_stored; ++node)
-    {
-      interface_node[node] = in_lumen[node] && wall_node[node];
-      if (node < n_owned && wall_node[node] && !spaces.velocity_hanging().hangs(node))
-      {
-        number[node] = owned.size();
-        owned.push_back(node);
-      }
-    }
-  }
-
-  template <int dim>
-  void WallMatrix<dim>::build_pattern()
-  {
+    const auto &owned = wall_nodes.owned();
+    number.assign(spaces.nodes()->locally_owned_size() + spaces.nodes()->n_ghost_indices(), -1);
+    for (unsigned int i = 0; i < owned.size(); ++i)
+      number[owned[i]] = i;
     const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim);
     dealii::DynamicSparsityPattern nodal(owned.size(), owned.size());
     Masters masters;
@@ -161,6 +124,7 @@ namespace semilunar::flow
           P -= outer_product(entry->directions[d], entry->directions[d]);
       return P;
     };
+    const auto &owned = wall_nodes.owned();
     for (unsigned int i = 0; i < owned.size(); ++i)
     {
       const Entry *row = constraints.of_node(owned[i]);
@@ -182,7 +146,7 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::factorise(const VelocityConstraints<dim> &constraints)
   {
-    if (owned.empty())
+    if (wall_nodes.owned().empty())
       return;
     eliminate(constraints);
     std::size_t k = 0;
@@ -204,6 +168,7 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::solve(const Vector &b, Vector &x) const
   {
+    const auto &owned = wall_nodes.owned();
     if (owned.empty())
       return;
     dealii::Vector<double> work(dim * owned.size());

@@ -235,7 +235,9 @@ namespace
                       { return Tensor<1, 2>(); });
     VelocityConstraints<2> clamped;
     clamped.reinit(nodes.spaces, faces, bc);
-    WallMatrix<2> matrix(nodes.spaces);
+    WallNodes<2> wall_nodes(nodes.spaces);
+    wall_nodes.reinit();
+    WallMatrix<2> matrix(nodes.spaces, wall_nodes);
     matrix.reinit();
 
     Vector x(nodes.spaces.velocities()), none(nodes.spaces.velocities()), r(x), change(x);

@@ -4,6 +4,7 @@
 
 #include <semilunar/flow/velocity_constraints.h>
 #include <semilunar/flow/wall_forms.h>
+#include <semilunar/flow/wall_nodes.h>
 
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -17,16 +18,13 @@ namespace semilunar::flow
   class WallMatrix
   {
   public:
-    explicit WallMatrix(const Spaces<dim> &spaces) : spaces(spaces) {}
+    WallMatrix(const Spaces<dim> &spaces, const WallNodes<dim> &nodes)
+        : spaces(spaces), wall_nodes(nodes)
+    {
+    }
 
-    /// Find the nodes and build the pattern, after construction and when the mesh was refined.
+    /// Build the pattern, after construction and when the mesh was refined.
     void reinit();
-
-    /// Whether a stored node belongs to a wall cell; and to a cell of the lumen as well.
-    bool in_wall(const unsigned int node) const { return wall_node[node]; }
-    bool at_interface(const unsigned int node) const { return interface_node[node]; }
-    /// Owned nodes of the wall that do not hang.
-    const std::vector<unsigned int> &nodes() const { return owned; }
 
     /// Assemble what the forms were linearised about.
     void assemble(const WallForms<dim> &forms);
@@ -35,21 +33,18 @@ namespace semilunar::flow
     /// Remove given directions and factorise. @throws NumericsError if the matrix is singular
     void factorise(const VelocityConstraints<dim> &constraints);
 
-    /// x = A^-1 b for the entries of nodes(); others stay.
+    /// x = A^-1 b for the entries of owned nodes of the wall; others stay.
     void solve(const Vector &b, Vector &x) const;
 
   private:
     using Block = dealii::Tensor<2, dim>;
 
-    void find_nodes();
-    void build_pattern();
     Block *find(unsigned int row, unsigned int column);
     void eliminate(const VelocityConstraints<dim> &constraints);
 
     const Spaces<dim> &spaces;
-    std::vector<bool> wall_node, interface_node; ///< of stored nodes
-    std::vector<unsigned int> owned;             ///< stored index
-    std::vector<int> number;                     ///< of a stored node in the list above, or -1
+    const WallNodes<dim> &wall_nodes;
+    std::vector<int> number;                     ///< of a stored node among the owned ones, or -1
     std::vector<unsigned int> row_start, column; ///< of blocks, columns sorted
     std::vector<Block> value;
 
