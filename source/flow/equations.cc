@@ -6,15 +6,22 @@ namespace semilunar::flow
 {
   template <int dim>
   Equations<dim>::Equations(const Spaces<dim> &spaces, const Parameters &parameters,
-                            const BoundaryConditions<dim> &conditions)
+                            const BoundaryConditions<dim> &conditions, const WallParameters *wall)
       : space(spaces), prm(parameters), bc(conditions),
         forms(CellForms<dim>::create(spaces, parameters)), boundary(spaces), point_terms(spaces)
   {
+    if (wall)
+      wall_equations = std::make_unique<WallEquations<dim>>(spaces, *wall);
+    else if (spaces.has_wall())
+      throw InputError("Wall", "", "the mesh has cells of a wall that nothing is known about",
+                       "describe the wall, or give the mesh a wall thickness of 0");
   }
 
   template <int dim>
-  void Equations<dim>::reinit(const Vector &positions)
+  void Equations<dim>::reinit(const Vector &positions, const Vector &reference)
   {
+    if (wall_equations)
+      wall_equations->reinit(reference);
     boundary.reinit();
     for (const auto &[id, part] : boundary.parts())
       if (bc.all().count(id) == 0)
@@ -52,6 +59,8 @@ namespace semilunar::flow
   void Equations<dim>::linearise(const Vector &advecting, const bool newton)
   {
     forms->linearise({advecting, step.mesh_velocity, step.bdf.alpha[0], newton});
+    if (wall_equations)
+      wall_equations->linearise(advecting);
     for (const auto &[id, relation] : relations)
     {
       const double own = bc.all().at(id).backflow;
@@ -103,7 +112,7 @@ namespace semilunar::flow
   }
 
   template <int dim>
-  void Equations<dim>::unmasked_residual(const FlowVector &state, FlowVector &r)
+  void Equations<dim>::unmasked_residual(const FlowVector &state, FlowVector &r, const bool of_wall)
   {
     space.make_readable_velocity(state.velocity);
     space.make_readable_pressure(state.pressure);
@@ -112,6 +121,8 @@ namespace semilunar::flow
     r.velocity = 0.;
     r.pressure = 0.;
     forms->add_residual(state.velocity, state.pressure, *step.history, r.velocity, r.pressure);
+    if (wall_equations && of_wall)
+      wall_equations->add_residual(state.velocity, *step.history, r.velocity);
     for (const auto &[id, relation] : relations)
       boundary.add_backflow(id, state.velocity, r.velocity);
     for (const auto &[id, part] : boundary.parts())
@@ -130,7 +141,7 @@ namespace semilunar::flow
   template <int dim>
   void Equations<dim>::residual(const FlowVector &state, FlowVector &r)
   {
-    unmasked_residual(state, r);
+    unmasked_residual(state, r, true);
     fixed.mask(r.velocity);
   }
 
@@ -144,6 +155,8 @@ namespace semilunar::flow
     result.velocity = 0.;
     result.pressure = 0.;
     forms->add_jacobian(x.velocity, x.pressure, result.velocity, result.pressure);
+    if (wall_equations)
+      wall_equations->add_jacobian(x.velocity, result.velocity);
     for (const auto &[id, relation] : relations)
       boundary.add_backflow(id, x.velocity, result.velocity);
     if (!point_terms.inactive())

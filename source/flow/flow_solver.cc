@@ -14,14 +14,20 @@ namespace semilunar::flow
   FlowSolver<dim>::FlowSolver(const Parameters &parameters,
                               dealii::parallel::distributed::Triangulation<dim> &triangulation,
                               const dealii::Mapping<dim> &mapping,
-                              const BoundaryConditions<dim> &conditions, Timers &timers)
+                              const BoundaryConditions<dim> &conditions, Timers &timers,
+                              const WallParameters *wall)
       : prm((parameters.check(), parameters)), timers(timers), conditions(conditions),
         triangulation(triangulation), space(triangulation, parameters.degree), transfer(space),
-        nodes(space, mapping), equations(space, prm, this->conditions),
+        nodes(space, mapping),
+        equations(space, prm, this->conditions, space.has_wall() ? wall : nullptr),
         linear_solver(equations, prm, timers)
   {
+    if (equations.wall())
+      motion = std::make_unique<MeshMotion<dim>>(space, equations.wall()->nodes(), conditions);
     reinit_vectors();
-    equations.reinit(nodes.positions());
+    equations.reinit(nodes.positions(), nodes.reference_positions());
+    if (motion)
+      motion->reinit(nodes.reference_positions(), equations.faces());
     linear_solver.reinit();
   }
 
@@ -99,6 +105,11 @@ namespace semilunar::flow
     current.dt = dt;
     if (mesh_motion)
       move_mesh(positions_at(current.time));
+    if (equations.wall())
+    {
+      equations.wall()->start_step(bdf, nodes.old_positions(), nodes.older_positions());
+      move_with_wall(advecting);
+    }
   }
 
   template <int dim>
@@ -121,8 +132,7 @@ namespace semilunar::flow
     // The extrapolated state or the old one: what has the smaller residual.
     equations.constraints().set_values(conditions, nodes.positions(), nodes.velocity_if_moving(),
                                        current.time);
-    state = old_state;
-    equations.constraints().impose(state.velocity);
+    start_from_old_state();
     equations.residual(state, residual);
     const double old_norm = linear_solver.norm(residual);
     current.residual = old_norm;
@@ -136,8 +146,7 @@ namespace semilunar::flow
     if (linear_solver.norm(residual) < old_norm)
       return;
     std::swap(residual, change);
-    state = old_state;
-    equations.constraints().impose(state.velocity);
+    start_from_old_state();
   }
 
   template <int dim>
@@ -168,7 +177,9 @@ namespace semilunar::flow
     Timers::Scope scope(timers, "flow");
     const double rounding = prepare_solution();
     linear_target = std::max(prm.linear_tolerance * current.residual, rounding);
-    if (prm.nonlinear == "linear-implicit")
+    if (equations.wall() && prm.nonlinear == "linear-implicit")
+      iterate_in_wall();
+    else if (prm.nonlinear == "linear-implicit")
       add_linear_solution(linear_target);
     else
       iterate(std::max(prm.nonlinear_tolerance * current.residual, rounding));
@@ -197,6 +208,11 @@ namespace semilunar::flow
   {
     Assert(in_step, dealii::ExcMessage("solve_step() comes first."));
     Timers::Scope scope(timers, "flow");
+    if (equations.wall())
+    {
+      iterate_in_wall();
+      return;
+    }
     equations.residual(state, residual);
     if (linear_solver.norm(residual) > linear_target)
       add_linear_solution(linear_target);
@@ -221,6 +237,8 @@ namespace semilunar::flow
   StepReport FlowSolver<dim>::accept_step()
   {
     Assert(in_step, dealii::ExcMessage("start_step() comes first."));
+    if (equations.wall())
+      finish_wall();
     const auto rates = equations.cells().largest_rates();
     current.cfl = dealii::Utilities::MPI::max(rates.advection, space.communicator()) * bdf.dt;
     current.cell_reynolds = dealii::Utilities::MPI::max(rates.cell_reynolds, space.communicator());
@@ -260,14 +278,17 @@ namespace semilunar::flow
   template <int dim>
   StepReport FlowSolver<dim>::advance(const double dt)
   {
-    start_step(dt);
     try
     {
+      start_step(dt);
       solve_step();
+      if (equations.wall())
+        iterate_geometry();
     }
     catch (const NumericsError &)
     {
-      reject_step();
+      if (in_step)
+        reject_step();
       throw;
     }
     return accept_step();
@@ -318,7 +339,7 @@ namespace semilunar::flow
   template <int dim>
   Tensor<1, dim> FlowSolver<dim>::force(const Id id)
   {
-    equations.unmasked_residual(state, residual);
+    equations.unmasked_residual(state, residual, false);
     Tensor<1, dim> sum;
     for (const unsigned int node : equations.faces().part(id).nodes)
       if (node < space.nodes()->locally_owned_size())

@@ -46,7 +46,9 @@ namespace semilunar::flow
       space.make_readable_pressure(vector->pressure);
     }
     older_state = old_state;
-    equations.reinit(nodes.positions());
+    equations.reinit(nodes.positions(), nodes.reference_positions());
+    if (motion)
+      reinit_motion();
     linear_solver.reinit();
   }
 

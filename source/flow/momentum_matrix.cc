@@ -148,7 +148,7 @@ namespace semilunar::flow
   }
 
   template <int dim>
-  void MomentumMatrix<dim>::assemble(const Equations<dim> &equations)
+  void MomentumMatrix<dim>::assemble(const Equations<dim> &equations, WallMatrix<dim> *wall)
   {
     std::fill(matrix.value.begin(), matrix.value.end(), 0.f);
     dealii::AlignedVector<Lanes> cell_matrix(n_cell_nodes * n_cell_nodes);
@@ -164,7 +164,43 @@ namespace semilunar::flow
         equations.faces().backflow_matrix(id, add);
     equations.points().matrix([this](const CellLane &cell, const double *entries)
                               { add_cell(cell, entries); });
+    if (wall)
+      separate_wall(equations.wall()->nodes(), equations.constraints(), *wall);
     eliminate(equations.constraints());
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::separate_wall(const WallNodes<dim> &nodes,
+                                          const VelocityConstraints<dim> &constraints,
+                                          WallMatrix<dim> &wall)
+  {
+    of_interface.clear();
+    interface_diagonal.clear();
+    for (unsigned int i = 0; i < n_owned; ++i)
+      for (unsigned int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
+      {
+        const unsigned int j = matrix.column[k];
+        if (nodes.in_wall(i) && nodes.in_wall(j))
+        {
+          if (matrix.value[k] != 0.f)
+            wall.add(i, j, matrix.value[k]);
+          if (i == j && !constraints.fixed(i) && !spaces.velocity_hanging().hangs(i))
+            interface_diagonal.emplace_back(i, matrix.value[k]);
+        }
+        else if (nodes.in_wall(j) && !constraints.fixed(i) && matrix.value[k] != 0.f)
+          of_interface.push_back({i, j, matrix.value[k]});
+        if (nodes.in_wall(i) || nodes.in_wall(j))
+          matrix.value[k] = i == j ? 1.f : 0.f;
+      }
+  }
+
+  template <int dim>
+  void MomentumMatrix<dim>::subtract_interface(Vector &velocity) const
+  {
+    for (const Entry &entry : of_interface)
+      for (unsigned int c = 0; c < dim; ++c)
+        velocity.local_element(dim * entry.row + c) -=
+            entry.value * velocity.local_element(dim * entry.column + c);
   }
 
   template <int dim>
@@ -191,6 +227,9 @@ namespace semilunar::flow
       for (unsigned int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k)
         if (matrix.column[k] == i)
           entries[i] = matrix.value[k];
+    for (const auto &[node, entry] : interface_diagonal)
+      if (entry > 0.)
+        entries[node] = entry;
     return entries;
   }
 

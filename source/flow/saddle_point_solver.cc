@@ -45,12 +45,16 @@ namespace semilunar::flow
                                             const Parameters &parameters, Timers &timers)
       : equations(equations), prm(parameters), timers(timers), momentum(equations.spaces())
   {
+    if (equations.wall())
+      wall = std::make_unique<WallMatrix<dim>>(equations.spaces(), equations.wall()->nodes());
   }
 
   template <int dim>
   void SaddlePointSolver<dim>::reinit()
   {
     momentum.reinit();
+    if (wall)
+      wall->reinit();
     work.reinit(equations.spaces());
     basis.clear();
     directions.clear();
@@ -96,14 +100,7 @@ namespace semilunar::flow
                        std::abs(inertia - inertia_of_factors) > max_change * inertia;
     if (momentum_is_valid && !stale)
       return;
-    {
-      Timers::Scope scope(timers, "flow: momentum matrix");
-      momentum.assemble(equations);
-    }
-    {
-      Timers::Scope scope(timers, "flow: factorisation");
-      ilu.factorise(momentum.rows());
-    }
+    assemble_momentum();
     momentum_is_valid = true;
     inertia_of_factors = inertia;
     age = 0;
@@ -111,6 +108,27 @@ namespace semilunar::flow
     if (!schur_is_valid)
       schur.build(equations, momentum.diagonal());
     schur_is_valid = true;
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::assemble_momentum()
+  {
+    if (wall)
+    {
+      Timers::Scope scope(timers, "flow: wall matrix");
+      wall->assemble(equations.wall()->solid());
+    }
+    {
+      Timers::Scope scope(timers, "flow: momentum matrix");
+      momentum.assemble(equations, wall.get());
+    }
+    if (wall)
+    {
+      Timers::Scope scope(timers, "flow: wall factorisation");
+      wall->factorise(equations.constraints());
+    }
+    Timers::Scope scope(timers, "flow: factorisation");
+    ilu.factorise(momentum.rows());
   }
 
   template <int dim>
@@ -139,6 +157,12 @@ namespace semilunar::flow
       remove_mean(z.pressure);
     equations.gradient(work.velocity, z.pressure);
     work.velocity.sadd(-1., 1., r.velocity);
+    if (wall)
+    {
+      // The wall first, then the lumen with its velocity: the rows of the wall are the identity.
+      wall->solve(work.velocity, work.velocity);
+      momentum.subtract_interface(work.velocity);
+    }
     ilu.solve<dim>(work.velocity.begin(), z.velocity.begin());
     equations.constraints().mask(z.velocity);
   }

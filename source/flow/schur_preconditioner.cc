@@ -47,12 +47,22 @@ namespace semilunar::flow
     }
 
     /// Calls visit(row, column) for entries, in empty rows, that give the empty columns of hanging
-    /// pressures diagonal entries in B D^-1 B^T: where a pressure hangs, so do more velocities.
+    /// pressures, and of those inside a wall, diagonal entries in B D^-1 B^T: where a pressure
+    /// hangs, so do more velocities.
     template <int dim, class Visit>
-    void for_hanging_pressures(const Spaces<dim> &spaces, const Visit &visit)
+    void for_empty_columns(const Spaces<dim> &spaces, const WallEquations<dim> *wall,
+                           const Visit &visit)
     {
-      const auto velocities = owned_hanging(spaces.velocity_hanging(), *spaces.nodes());
-      const auto pressures = owned_hanging(spaces.pressure_hanging(), *spaces.pressures());
+      auto velocities = owned_hanging(spaces.velocity_hanging(), *spaces.nodes());
+      auto pressures = owned_hanging(spaces.pressure_hanging(), *spaces.pressures());
+      if (wall)
+      {
+        for (const unsigned int node : wall->nodes().owned())
+          if (!wall->nodes().at_interface(node))
+            velocities.push_back(node);
+        const auto &idle = wall->nodes().idle_pressures();
+        pressures.insert(pressures.end(), idle.begin(), idle.end());
+      }
       AssertThrow(velocities.size() >= pressures.size(), dealii::ExcInternalError());
       for (unsigned int i = 0; i < pressures.size(); ++i)
         visit(dim * spaces.nodes()->local_to_global(velocities[i]),
@@ -60,7 +70,7 @@ namespace semilunar::flow
     }
 
     template <int dim>
-    SparsityPattern gradient_pattern(const Spaces<dim> &spaces)
+    SparsityPattern gradient_pattern(const Spaces<dim> &spaces, const WallEquations<dim> *wall)
     {
       SparsityPattern pattern(spaces.velocities()->locally_owned_range(),
                               spaces.pressures()->locally_owned_range(), spaces.communicator());
@@ -74,8 +84,8 @@ namespace semilunar::flow
                             pattern.add(dim * spaces.nodes()->local_to_global(u.node) + c,
                                         spaces.pressures()->local_to_global(p.node));
                     });
-      for_hanging_pressures(spaces,
-                            [&](const auto row, const auto column) { pattern.add(row, column); });
+      for_empty_columns(spaces, wall,
+                        [&](const auto row, const auto column) { pattern.add(row, column); });
       pattern.compress();
       return pattern;
     }
@@ -96,7 +106,7 @@ namespace semilunar::flow
   void SchurPreconditioner<dim>::assemble_gradient(const Equations<dim> &equations)
   {
     const Spaces<dim> &spaces = equations.spaces();
-    gradient.reinit(gradient_pattern(spaces));
+    gradient.reinit(gradient_pattern(spaces, equations.wall()));
     const int n_u = power(spaces.degree() + 1, dim), n_p = power(spaces.degree(), dim);
     dealii::AlignedVector<Lanes> cell_matrix(n_u * n_p * dim);
     unsigned int current = dealii::numbers::invalid_unsigned_int;
@@ -121,8 +131,8 @@ namespace semilunar::flow
                                        u.weight * p.weight * free[c]);
                     }
                   });
-    for_hanging_pressures(spaces, [&](const auto row, const auto column)
-                          { gradient.add(row, column, 1.); });
+    for_empty_columns(spaces, equations.wall(),
+                      [&](const auto row, const auto column) { gradient.add(row, column, 1.); });
     gradient.compress(dealii::VectorOperation::add);
   }
 
@@ -149,12 +159,55 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  std::vector<double> SchurPreconditioner<dim>::with_wall(const Equations<dim> &equations,
+                                                          const std::vector<double> &of_lumen) const
+  {
+    // The gradient of a uniform pressure is the normal area of each node.
+    const auto &wall = *equations.wall();
+    const Spaces<dim> &spaces = equations.spaces();
+    Vector one(spaces.pressures()), area(spaces.velocities());
+    one = 1.;
+    for (const unsigned int i : wall.nodes().idle_pressures())
+      one.local_element(i) = 0.;
+    gradient.vmult(area, one);
+    std::vector<double> of_node(of_lumen.size(), 0.);
+    double sums[3] = {0., wall.solid().reference_volume(), equations.cells().volume()};
+    for (const unsigned int node : wall.nodes().owned())
+      if (wall.nodes().at_interface(node))
+      {
+        double squared = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          squared += std::pow(area.local_element(dim * node + c), 2);
+        of_node[node] = std::sqrt(squared);
+        sums[0] += of_node[node];
+      }
+    dealii::Utilities::MPI::sum(sums, spaces.communicator(), sums);
+    if (sums[0] == 0.)
+      return of_lumen;
+    const WallParameters &solid = wall.parameters();
+    const double thickness = sums[1] / sums[0], alpha = equations.inertia();
+    // Hoops of the hydraulic radius 2 V / A; walls in the plane have none.
+    const double curvature = dim == 3 ? sums[0] / (2. * sums[2]) : 0.;
+    const double hoop = solid.youngs_modulus * thickness * curvature * curvature /
+                        (1. - solid.poisson_ratio * solid.poisson_ratio);
+    const double impedance = thickness * solid.density * (alpha + solid.damping) + hoop / alpha;
+    std::vector<double> result = of_lumen;
+    for (unsigned int node = 0; node < result.size(); ++node)
+      result[node] += impedance * of_node[node];
+    return result;
+  }
+
+  template <int dim>
   void SchurPreconditioner<dim>::build(const Equations<dim> &equations,
-                                       const std::vector<double> &diagonal)
+                                       const std::vector<double> &of_lumen)
   {
     const Spaces<dim> &spaces = equations.spaces();
     assemble_gradient(equations);
     assemble_mass(equations);
+    const auto diagonal = equations.wall() ? with_wall(equations, of_lumen) : of_lumen;
+    idle.clear();
+    if (equations.wall())
+      idle = equations.wall()->nodes().idle_pressures();
     dealii::TrilinosWrappers::MPI::Vector inverse_diagonal(
         spaces.velocities()->locally_owned_range(), spaces.communicator());
     const auto first = spaces.velocities()->local_range().first;
@@ -187,6 +240,8 @@ namespace semilunar::flow
     multigrid.vmult(result, residual);
     for (unsigned int i = 0; i < residual.locally_owned_size(); ++i)
       result.local_element(i) += inverse_mass.local_element(i) * residual.local_element(i);
+    for (const unsigned int i : idle)
+      result.local_element(i) = 0.;
   }
 
   template class SchurPreconditioner<2>;

@@ -8,6 +8,7 @@
 #include <semilunar/flow/flow_vector.h>
 #include <semilunar/flow/point_terms.h>
 #include <semilunar/flow/velocity_constraints.h>
+#include <semilunar/flow/wall_equations.h>
 
 namespace semilunar::flow
 {
@@ -17,11 +18,12 @@ namespace semilunar::flow
   class Equations
   {
   public:
+    /// @param wall nullptr: the mesh has no wall cells
     Equations(const Spaces<dim> &spaces, const Parameters &parameters,
-              const BoundaryConditions<dim> &conditions);
+              const BoundaryConditions<dim> &conditions, const WallParameters *wall);
 
-    /// After the mesh was refined. @param positions of the nodes, readable
-    void reinit(const Vector &positions);
+    /// After the mesh was refined. @param positions of the nodes, readable, and those at rest
+    void reinit(const Vector &positions, const Vector &reference);
     /// After nodes have moved.
     void update_geometry(const Vector &positions);
 
@@ -34,13 +36,14 @@ namespace semilunar::flow
       const Vector *mesh_velocity = nullptr; ///< nullptr: at rest
     };
     void start_step(const Step &step, const VectorFunction<dim> &body_force);
-    /// @param advecting readable
+    /// @param advecting readable; also the velocity of the wall that its tangent is for
     void linearise(const Vector &advecting, bool newton);
 
     /// Ghosts of (velocity, pressure) are updated. @return the norms of both residuals
     void residual(const FlowVector &state, FlowVector &r);
     /// The same without the mask: forces of the boundary where velocities are given.
-    void unmasked_residual(const FlowVector &state, FlowVector &r);
+    /// @param of_wall whether the wall takes part: forces on both of them, not on the blood alone
+    void unmasked_residual(const FlowVector &state, FlowVector &r, bool of_wall);
     /// Derivative of the residual.
     void vmult(FlowVector &result, const FlowVector &x) const;
     /// result = derivative of the momentum residual with respect to the pressure, times p.
@@ -62,6 +65,9 @@ namespace semilunar::flow
     PointTerms<dim> &points() { return point_terms; }
     const PointTerms<dim> &points() const { return point_terms; }
     const BoundaryConditions<dim> &conditions() const { return bc; }
+    /// nullptr if there is none
+    WallEquations<dim> *wall() { return wall_equations.get(); }
+    const WallEquations<dim> *wall() const { return wall_equations.get(); }
 
     /// Integral of u.n over each open part at once (one reduction).
     std::map<dealii::types::boundary_id, double> open_flow_rates(const Vector &velocity) const;
@@ -77,6 +83,7 @@ namespace semilunar::flow
     BoundaryFaces<dim> boundary;
     VelocityConstraints<dim> fixed;
     PointTerms<dim> point_terms;
+    std::unique_ptr<WallEquations<dim>> wall_equations;
     Step step;
     std::map<dealii::types::boundary_id, PressureModel::Relation> relations;
     bool has_resistance = false;

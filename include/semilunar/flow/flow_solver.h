@@ -2,6 +2,7 @@
 #ifndef semilunar_flow_flow_solver_h
 #define semilunar_flow_flow_solver_h
 
+#include <semilunar/flow/mesh_motion.h>
 #include <semilunar/flow/mesh_nodes.h>
 #include <semilunar/flow/saddle_point_solver.h>
 #include <semilunar/flow/state_transfer.h>
@@ -17,6 +18,9 @@ namespace semilunar::flow
     double cfl = 0.;                            ///< largest |u - uhat| dt degree / h
     double cell_reynolds = 0.;                  ///< largest rho |u - uhat| h / (degree mu)
     double time_error = 0.; ///< estimate relative to the largest velocity; 0 in first steps
+    double min_scaled_jacobian = 0.; ///< of the cells of the lumen, with an elastic wall
+    double interface_error = 0.;     ///< largest distance of wall and mesh at the end [cm]
+    unsigned int n_geometry = 0;     ///< solutions on positions of the wall
     std::map<dealii::types::boundary_id, double> flow_rate;     ///< out of open parts [cm^3/s]
     std::map<dealii::types::boundary_id, double> mean_pressure; ///< of open parts [dyn/cm^2]
   };
@@ -25,7 +29,8 @@ namespace semilunar::flow
   ///
   /// advance(dt) makes a step. What is coupled to the flow in iterations uses its parts instead:
   /// start_step(dt); any number of times move_mesh(x) and solve_step(); then accept_step(), or
-  /// reject_step() to be where the step began.
+  /// reject_step() to be where the step began. With an elastic wall, start_step() moves the mesh to
+  /// the predicted positions of the wall, and follow_wall() to those that solve_step() has found.
   template <int dim>
   class FlowSolver
   {
@@ -34,11 +39,12 @@ namespace semilunar::flow
     using Point = dealii::Point<dim>;
 
     /// @param mapping gives the positions of the nodes, now and when the mesh is refined
+    /// @param wall what the wall cells of the mesh consist of; needed if there are any
     /// @throws InputError for wrong parameters and parts of the boundary without a condition
     FlowSolver(const Parameters &parameters,
                dealii::parallel::distributed::Triangulation<dim> &triangulation,
                const dealii::Mapping<dim> &mapping, const BoundaryConditions<dim> &conditions,
-               Timers &timers);
+               Timers &timers, const WallParameters *wall = nullptr);
 
     /// Force per volume [dyn/cm^3].
     void set_body_force(const VectorFunction<dim> &force) { body_force = force; }
@@ -63,6 +69,9 @@ namespace semilunar::flow
     void solve_step();
     /// Once more from the solution of solve_step(), after forces at points have changed.
     void correct_step();
+    /// Move the mesh to where the wall was found, to solve once more.
+    /// @return the largest distance of the wall from the mesh before [cm]; 0 without a wall
+    double follow_wall();
     StepReport accept_step();
     void reject_step();
 
@@ -100,21 +109,35 @@ namespace semilunar::flow
     /// Force of the boundary on the fluid [dyn]: the residual of the momentum equation there. Of
     /// the state after a step. Collective.
     dealii::Tensor<1, dim> force(Id id);
+    /// Force on the blood of parts of the boundary, with that of an elastic wall, each node once.
+    dealii::Tensor<1, dim> force_on_blood(const std::vector<Id> &ids, bool of_wall);
 
     /// Where immersed structures and marked cells enter. After changes of points or marked cells
     /// call preconditioner().invalidate_momentum().
     PointTerms<dim> &points() { return equations.points(); }
     CellForms<dim> &cells() { return equations.cells(); }
     SaddlePointSolver<dim> &preconditioner() { return linear_solver; }
+    /// nullptr if no wall is elastic
+    const WallEquations<dim> *wall() const { return equations.wall(); }
 
   private:
     void reinit_vectors();
     Vector positions_at(double time) const;
+    /// Equation (7) of doc/theory/wall.md: the mesh with the wall where a velocity takes it.
+    void move_with_wall(const Vector &velocity);
+    double distance_of_wall() const;
+    void iterate_geometry();
+    void finish_wall();
+    void reinit_motion();
     void evaluate_geometry();
     /// Weights, linearisation and first guess. @return the norm of residuals that are rounding
     double prepare_solution();
     void first_guess();
+    /// The old state, but for the velocity of a wall: the extrapolated one.
+    void start_from_old_state();
     void iterate(double target);
+    /// Linear-implicit in the lumen, Newton's method in the wall.
+    void iterate_in_wall();
     /// Solve for the change of the state with its residual.
     void add_linear_solution(double target);
     typename StateTransfer<dim>::State transferred_state(bool mesh_moves);
@@ -130,6 +153,7 @@ namespace semilunar::flow
     MeshNodes<dim> nodes;
     Equations<dim> equations;
     SaddlePointSolver<dim> linear_solver;
+    std::unique_ptr<MeshMotion<dim>> motion; ///< after an elastic wall; nullptr: there is none
     VectorFunction<dim> body_force, mesh_motion;
 
     // Velocities and pressures at the new time (equal to the old one between steps), at the old

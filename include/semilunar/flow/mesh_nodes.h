@@ -24,6 +24,7 @@ namespace semilunar::flow
     bool moving() const { return mesh_moves; }
     const Vector &positions() const { return now; }
     const Vector &old_positions() const { return old; }
+    const Vector &older_positions() const { return older; }
     const Vector &reference_positions() const { return at_rest; }
     /// uhat; zero on a mesh that does not move
     const Vector &velocity() const { return node_velocity; }

@@ -4,12 +4,13 @@
 
 #include <semilunar/flow/equations.h>
 #include <semilunar/flow/ilu.h>
+#include <semilunar/flow/wall_matrix.h>
 
 namespace semilunar::flow
 {
   /// The matrix of one velocity component between the nodes of a rank, the same for all components:
   /// what the velocity is preconditioned with. Rows of nodes whose velocity is given in all
-  /// directions are those of the identity.
+  /// directions, and of those of the wall, are those of the identity.
   template <int dim>
   class MomentumMatrix
   {
@@ -19,11 +20,15 @@ namespace semilunar::flow
     void reinit();
 
     /// Assemble the state that the equations were linearised about.
-    void assemble(const Equations<dim> &equations);
+    /// @param wall gets the entries between nodes of the interface; nullptr: there is no wall
+    void assemble(const Equations<dim> &equations, WallMatrix<dim> *wall);
 
     const CompressedRows &rows() const { return matrix; }
-    /// Diagonal entries; 1 where all components are given.
+    /// Diagonal entries, at the interface those of the lumen; 1 where all components are given.
     std::vector<double> diagonal() const;
+
+    /// r -= A x at nodes of the lumen, x the velocities at the interface (both in one vector).
+    void subtract_interface(Vector &velocity) const;
 
   private:
     void find_places();
@@ -33,6 +38,8 @@ namespace semilunar::flow
     void add_cell(const CellLane &cell, const double *entries);
     float *find(unsigned int row, unsigned int column);
     void eliminate(const VelocityConstraints<dim> &constraints);
+    void separate_wall(const WallNodes<dim> &nodes, const VelocityConstraints<dim> &constraints,
+                       WallMatrix<dim> &wall);
 
     /// Place in its row of each pair of nodes of a cell, or this if one of them hangs or belongs to
     /// another rank.
@@ -43,6 +50,15 @@ namespace semilunar::flow
     CompressedRows matrix;
     std::vector<unsigned short> place; ///< [batch][lane][i][j]
     std::vector<bool> irregular;       ///< [batch * n_lanes + lane]: a node hangs
+
+    /// What separate_wall() takes out of the matrix.
+    struct Entry
+    {
+      unsigned int row, column;
+      double value;
+    };
+    std::vector<Entry> of_interface; ///< columns of the interface in rows of the lumen
+    std::vector<std::pair<unsigned int, double>> interface_diagonal;
   };
 } // namespace semilunar::flow
 

@@ -37,6 +37,7 @@ namespace semilunar::flow
 
   private:
     void prepare();
+    void assemble_momentum();
     void precondition(FlowVector &z, const FlowVector &r) const;
     void remove_mean(Vector &pressure) const;
     /// GMRES until it starts again; size: norm of the residual r, then of what is left.
@@ -53,6 +54,7 @@ namespace semilunar::flow
     const Parameters &prm;
     Timers &timers;
     MomentumMatrix<dim> momentum;
+    std::unique_ptr<WallMatrix<dim>> wall; ///< nullptr if there is none
     Ilu ilu;
     SchurPreconditioner<dim> schur;
     mutable FlowVector work;

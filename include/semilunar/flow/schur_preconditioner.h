@@ -16,8 +16,8 @@ namespace semilunar::flow
   class SchurPreconditioner
   {
   public:
-    /// @param diagonal of the momentum matrix, owned nodes
-    void build(const Equations<dim> &equations, const std::vector<double> &diagonal);
+    /// @param of_lumen diagonal of the momentum matrix of the lumen, owned nodes
+    void build(const Equations<dim> &equations, const std::vector<double> &of_lumen);
 
     void vmult(Vector &result, const Vector &residual) const;
 
@@ -26,11 +26,15 @@ namespace semilunar::flow
   private:
     void assemble_gradient(const Equations<dim> &equations);
     void assemble_mass(const Equations<dim> &equations);
+    /// The diagonal with the wall's impedance at the interface: equation (8) of doc/theory/wall.md.
+    std::vector<double> with_wall(const Equations<dim> &equations,
+                                  const std::vector<double> &of_lumen) const;
 
     dealii::TrilinosWrappers::SparseMatrix gradient; ///< B^T, rows of given velocities are zero
     dealii::TrilinosWrappers::SparseMatrix schur;
     dealii::TrilinosWrappers::PreconditionAMG multigrid;
-    Vector inverse_mass; ///< (mu + gamma) / diagonal of M
+    Vector inverse_mass;            ///< (mu + gamma) / diagonal of M
+    std::vector<unsigned int> idle; ///< pressures inside a wall
   };
 } // namespace semilunar::flow
 

@@ -21,7 +21,7 @@ namespace semilunar::flow
     bool at_interface(const unsigned int node) const { return wall[node] && lumen[node]; }
     /// Owned nodes of the wall that do not hang, by their stored index.
     const std::vector<unsigned int> &owned() const { return owned_nodes; }
-    /// Owned pressures that no cell of the lumen has.
+    /// Owned pressures that no cell of the lumen has, which mean nothing.
     const std::vector<unsigned int> &idle_pressures() const { return idle; }
 
   private:
