@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/core/parameters.h>
 #include <semilunar/flow/wall_parameters.h>
 
@@ -33,5 +34,12 @@ namespace semilunar::flow
                       "[cm]",
                       positive_number());
     prm.leave_subsection();
+  }
+
+  void WallParameters::check(const unsigned int dim) const
+  {
+    if (acceleration.size() < dim)
+      throw InputError("Wall/Acceleration", "", "a component is missing",
+                       "give as many numbers as there are dimensions");
   }
 } // namespace semilunar::flow

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
 #include <semilunar/mesh/cylinder_channel.h>
+#include <semilunar/mesh/flag_channel.h>
 #include <semilunar/mesh/parameters.h>
 #include <semilunar/mesh/tube.h>
 
@@ -84,6 +85,11 @@ namespace semilunar::mesh
       check_boundaries(mesh, file);
     }
 
+    void make_flag_channel(Mesh<3> &)
+    {
+      AssertThrow(false, dealii::ExcInternalError()); // MeshParameters::check
+    }
+
     void make_tube(Mesh<2> &, const TubeParameters &, const std::string &)
     {
       AssertThrow(false, dealii::ExcInternalError()); // MeshParameters::check
@@ -107,6 +113,9 @@ namespace semilunar::mesh
     case Shape::cylinder_in_channel:
       make_cylinder_channel(*mesh, parameters.cylinder);
       break;
+    case Shape::flag_in_channel:
+      make_flag_channel(*mesh);
+      break;
     case Shape::pipe:
       make_tube(*mesh, parameters.pipe, "Mesh/Pipe");
       break;
@@ -117,7 +126,8 @@ namespace semilunar::mesh
       read_file(*mesh, parameters.file);
       break;
     }
-    if (parameters.shape != Shape::pipe && parameters.shape != Shape::artery)
+    if (parameters.shape != Shape::pipe && parameters.shape != Shape::artery &&
+        parameters.shape != Shape::flag_in_channel)
       fill_with_lumen(*mesh);
     refine(*mesh, parameters.refinement);
     return mesh;

@@ -10,9 +10,13 @@ namespace semilunar::mesh
   namespace
   {
     const std::map<std::string, Shape> shapes = {
-        {"box", Shape::box},   {"channel", Shape::channel},
-        {"pipe", Shape::pipe}, {"cylinder in channel", Shape::cylinder_in_channel},
-        {"file", Shape::file}, {"artery", Shape::artery}};
+        {"box", Shape::box},
+        {"channel", Shape::channel},
+        {"pipe", Shape::pipe},
+        {"cylinder in channel", Shape::cylinder_in_channel},
+        {"file", Shape::file},
+        {"artery", Shape::artery},
+        {"flag in channel", Shape::flag_in_channel}};
 
     void add_shape(dealii::ParameterHandler &prm, Shape &shape)
     {
@@ -23,11 +27,13 @@ namespace semilunar::mesh
         if (value == shape)
           name = known;
       }
-      prm.declare_entry("Shape", name, Patterns::Selection(names),
-                        "What the mesh fills: a box (boundaries left, right, bottom, top, back, "
-                        "front), the same box as a channel along x (inlet, outlet, wall), the DFG "
-                        "benchmark's channel (inlet, outlet, wall, cylinder), a pipe or an artery "
-                        "along z (inlet, outlet, wall), or what a file holds.");
+      prm.declare_entry(
+          "Shape", name, Patterns::Selection(names),
+          "What the mesh fills: a box (boundaries left, right, bottom, top, back, "
+          "front), the same box as a channel along x (inlet, outlet, wall), the DFG "
+          "benchmark's channel (inlet, outlet, wall, cylinder), the Turek-Hron benchmark's "
+          "with an elastic flag (root, too, in two dimensions), a pipe or an artery "
+          "along z (inlet, outlet, wall), or what a file holds.");
       prm.add_action("Shape", [&shape](const std::string &value) { shape = shapes.at(value); });
     }
 
@@ -104,6 +110,9 @@ namespace semilunar::mesh
     if (dim == 2 && (shape == Shape::pipe || shape == Shape::artery))
       throw InputError("Mesh/Shape", shape == Shape::pipe ? "pipe" : "artery",
                        "a tube has three dimensions", "set Dimension = 3 or another shape");
+    if (dim == 3 && shape == Shape::flag_in_channel)
+      throw InputError("Mesh/Shape", "flag in channel", "this channel has two dimensions",
+                       "set Dimension = 2 or another shape");
     if (shape == Shape::artery)
       artery.check("Mesh/Artery");
     if (shape == Shape::pipe)

@@ -28,6 +28,9 @@ namespace semilunar::scene
     prm.add_parameter(
         "Probes", probes,
         "Points where velocity and pressure are recorded, 'NAME: (x, y, z); ...' [cm]");
+    prm.add_parameter("Wall probes", wall_probes,
+                      "Points of an elastic wall at rest; the displacement of the node next to "
+                      "each is recorded, 'NAME: (x, y, z); ...' [cm]");
     prm.add_parameter("Pressure differences", pressure_differences,
                       "Between two probes, 'NAME: (PROBE, PROBE); ...'");
     prm.add_parameter(
@@ -51,6 +54,7 @@ namespace semilunar::scene
     prm.leave_subsection();
     prm.leave_subsection();
     flow.add_parameters(prm);
+    wall.add_parameters(prm);
     boundaries.add_parameters(prm);
 
     prm.enter_subsection("Time");
@@ -92,6 +96,7 @@ namespace semilunar::scene
     flow.check();
     if (record.section_axis == "z" && dimension == 2 && !record.sections.empty())
       throw InputError("Output/Section axis", "z", "the plane has no z axis", "choose x or y");
+    wall.check(dimension);
     if (adaptivity.interval > 0 && !displacement.empty())
       throw InputError("Mesh/Adaptivity/Interval", std::to_string(adaptivity.interval),
                        "a mesh that moves does not adapt", "set it to 0");

@@ -25,8 +25,6 @@ namespace semilunar::scene
     constexpr double stretch = 1e-3;
     constexpr double end_tolerance = 1e-6; // of the end time
 
-    using Columns = std::vector<output::TimeSeries::Column>;
-
     template <int dim>
     VectorField<dim> field_if_given(const std::string &text, const Constants &constants,
                                     const std::string &entry)
@@ -45,10 +43,11 @@ namespace semilunar::scene
         conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
         mapping(prm.flow.degree), solver(make_solver()),
         companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
+        wall(solver->wall() ? std::make_unique<WallRecord<dim>>(prm.record, *mesh) : nullptr),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
         record(context.dry_run ? std::filesystem::path() : context.folder, prm.record, *mesh,
-               context.restart, companion ? companion->columns() : Columns()),
+               context.restart, more_columns()),
         files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh)), progress{prm.step}
   {
     if (context.dry_run)
@@ -63,7 +62,7 @@ namespace semilunar::scene
   std::unique_ptr<flow::FlowSolver<dim>> FlowSimulation<dim>::make_solver()
   {
     auto result = std::make_unique<flow::FlowSolver<dim>>(prm.flow, mesh->triangulation, mapping,
-                                                          conditions, context.timers);
+                                                          conditions, context.timers, &prm.wall);
     if (!prm.body_force.empty())
       result->set_body_force(vector_field<dim>(prm.body_force, prm.constants, "Body force/Force"));
     if (!prm.displacement.empty())
@@ -74,6 +73,30 @@ namespace semilunar::scene
                               { return x + displacement(x, time); });
     }
     return result;
+  }
+
+  template <int dim>
+  std::vector<output::TimeSeries::Column> FlowSimulation<dim>::more_columns() const
+  {
+    std::vector<output::TimeSeries::Column> all;
+    if (wall)
+      all = wall->columns();
+    if (companion)
+      for (const auto &column : companion->columns())
+        all.push_back(column);
+    return all;
+  }
+
+  template <int dim>
+  std::vector<double> FlowSimulation<dim>::more_values(const flow::StepReport &report)
+  {
+    std::vector<double> all;
+    if (wall)
+      all = wall->row(report, *solver);
+    if (companion)
+      for (const double value : companion->row())
+        all.push_back(value);
+    return all;
   }
 
   template <int dim>
@@ -275,9 +298,9 @@ namespace semilunar::scene
     progress.last_dt = report.dt;
     {
       const Timers::Scope timer(context.timers, "output");
-      if (!prm.displacement.empty())
+      if (!prm.displacement.empty() || wall)
         record.reinit(state());
-      record.add(report, *solver, state(), companion ? companion->row() : std::vector<double>());
+      record.add(report, *solver, state(), more_values(report));
       context.log.line(describe(report));
       context.log.progress("flow", std::min(report.time / prm.end, 0.999));
     }

@@ -85,6 +85,7 @@ namespace semilunar::flow
     const Vector &velocity() const { return state.velocity; }
     const Vector &pressure() const { return state.pressure; }
     const Vector &positions() const { return nodes.positions(); }
+    const Vector &reference_positions() const { return nodes.reference_positions(); }
     /// uhat at the nodes; zero on a mesh that does not move
     const Vector &mesh_velocity() const { return nodes.velocity(); }
     /// One component on velocity_dofs(), ghosted.

@@ -17,6 +17,8 @@ namespace semilunar::flow
   struct WallParameters
   {
     void add_parameters(dealii::ParameterHandler &prm);
+    /// @throws InputError if components are missing
+    void check(unsigned int dim) const;
 
     std::string material = "neo-Hookean"; ///< or "St.Venant-Kirchhoff"
     double youngs_modulus = 1e7;          ///< dyn/cm^2

@@ -16,6 +16,7 @@ namespace semilunar::mesh
     box,
     channel,
     cylinder_in_channel,
+    flag_in_channel,
     pipe,
     artery,
     file

@@ -4,6 +4,7 @@
 
 #include <semilunar/core/checkpoint.h>
 #include <semilunar/flow/parameters.h>
+#include <semilunar/flow/wall_parameters.h>
 #include <semilunar/mesh/parameters.h>
 #include <semilunar/output/flow_vtu.h>
 #include <semilunar/scene/flow_boundaries.h>
@@ -18,7 +19,7 @@ namespace semilunar::scene
     std::vector<double> sections; ///< positions along the axis [cm]
     std::vector<std::string> forces;
     double force_scale = 1.;
-    std::string probes, pressure_differences;
+    std::string probes, pressure_differences, wall_probes;
     std::vector<std::string> peaks;
 
     void add_parameters(dealii::ParameterHandler &prm);
@@ -31,6 +32,7 @@ namespace semilunar::scene
     mesh::MeshParameters mesh;
     mesh::AdaptivityParameters adaptivity;
     flow::Parameters flow;
+    flow::WallParameters wall;
     FlowBoundaries boundaries;
     double end = 1., step = 1e-2; ///< [s]
     double steady_tolerance = 0.; ///< [1/s]

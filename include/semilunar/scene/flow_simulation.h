@@ -6,6 +6,7 @@
 #include <semilunar/output/velocity_dofs.h>
 #include <semilunar/scene/flow_companion.h>
 #include <semilunar/scene/flow_record.h>
+#include <semilunar/scene/wall_record.h>
 
 #include <deal.II/fe/mapping_q.h>
 
@@ -25,6 +26,9 @@ namespace semilunar::scene
 
   private:
     std::unique_ptr<flow::FlowSolver<dim>> make_solver();
+    /// What the wall and the companion record in addition.
+    std::vector<output::TimeSeries::Column> more_columns() const;
+    std::vector<double> more_values(const flow::StepReport &report);
     void initialise();
     void add_to(Checkpoints &checkpoints);
     /// The distributed part of a checkpoint: mesh and fields.
@@ -58,6 +62,7 @@ namespace semilunar::scene
     const dealii::MappingQ<dim> mapping;
     const std::unique_ptr<flow::FlowSolver<dim>> solver;
     const std::unique_ptr<FlowCompanion<dim>> companion; ///< null: there is only blood
+    std::unique_ptr<WallRecord<dim>> wall;               ///< null: no wall is elastic
     std::unique_ptr<output::VelocityDofs<dim>> velocity_dofs;
     FlowRecord<dim> record;
     output::FlowVtu<dim> files;
