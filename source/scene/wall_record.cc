@@ -31,7 +31,8 @@ namespace semilunar::scene
   std::vector<output::TimeSeries::Column> WallRecord<dim>::columns() const
   {
     std::vector<output::TimeSeries::Column> result = {
-        {"min_scaled_jacobian", "-"}, {"interface_error", "cm"}, {"geometry_solutions", "-"}};
+        {"min_scaled_jacobian", "-"}, {"interface_error", "cm"}, {"geometry_solutions", "-"},
+        {"lumen_volume", dim == 3 ? "cm^3" : "cm^2"}};
     const std::string unit = force_scale == 1. ? (dim == 3 ? "dyn" : "dyn/cm") : "-";
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back({std::string("force_with_wall_") + axes[d], unit});
@@ -72,7 +73,9 @@ namespace semilunar::scene
                                            flow::FlowSolver<dim> &solver) const
   {
     std::vector<double> result = {report.min_scaled_jacobian, report.interface_error,
-                                  double(report.n_geometry)};
+                                  double(report.n_geometry),
+                                  dealii::Utilities::MPI::sum(solver.cells().volume(),
+                                                              solver.spaces().communicator())};
     const auto force = solver.force_on_blood(force_ids, true);
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back(-force_scale * force[d]);
