@@ -42,7 +42,7 @@ namespace semilunar::scene
         mesh(mesh::make_mesh<dim>(prm.mesh, MPI_COMM_WORLD)),
         conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
         mapping(prm.flow.degree), solver(make_solver()),
-        companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
+        companion(make_companion ? (check_rigid(), make_companion(*solver, *mesh)) : nullptr),
         wall(solver->wall() ? std::make_unique<WallRecord<dim>>(prm.record, *mesh) : nullptr),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
@@ -97,6 +97,14 @@ namespace semilunar::scene
       for (const double value : companion->row())
         all.push_back(value);
     return all;
+  }
+
+  template <int dim>
+  void FlowSimulation<dim>::check_rigid() const
+  {
+    if (solver->wall())
+      throw InputError("Mesh/Artery/Wall thickness", std::to_string(prm.mesh.artery.wall_thickness),
+                       "what is immersed in the blood needs rigid walls", "set it to 0");
   }
 
   template <int dim>

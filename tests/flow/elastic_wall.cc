@@ -103,7 +103,10 @@ namespace
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  for (const double rho_s : {10., 1., 0.1, 0.001})
+  std::vector<double> ratios = {10., 1., 0.1, 0.001};
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    ratios = {0.1};
+  for (const double rho_s : ratios)
   {
     // At 1.25 periods the displacement is largest, at 1.125 both it and the velocity count.
     const Result coarse = column_on_bar<2>(rho_s, 40, 45), fine = column_on_bar<2>(rho_s, 80, 90);

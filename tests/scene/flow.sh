@@ -46,6 +46,14 @@ for file in flow-0002.vtu wall-0002.vtu flow.pvd wall.pvd; do
   [[ -s pipe/$file ]] || failed "there is no $file"
 done
 
+# An elastic flag (FSI1): within 1 % of 0.0227049e-3, 0.820877e-3, 14.29426, 0.763746.
+expect 0 'done in' "$scenes/../fsi/fsi1.prm" --set Time/Step=0.05 \
+  --set "Time/Steady tolerance=1e-4" --output flag
+expect_between flag A_dx 2.2478e-5 2.2932e-5
+expect_between flag A_dy 8.127e-4 8.291e-4
+expect_between flag force_with_wall_x 14.151 14.438
+expect_between flag force_with_wall_y 0.7561 0.7714
+
 # One answer on one and on two ranks.
 "$mpiexec" -n 2 "$program" "$scenes/poiseuille.prm" --set Time/End=1 --quiet --output ranks ||
   failed "two ranks"
@@ -87,4 +95,5 @@ expect 1 "no exact solution" "$cavity" --set "Boundary conditions/Types=$types; 
 expect 1 "does not lie in the mesh" "$cavity" --set "Output/Probes=a: (2, 0)" --dry-run
 expect 1 "no such column" "$cavity" --set "Output/Peaks=drag" --dry-run
 expect 1 "three dimensions" "$cavity" --set Mesh/Shape=artery --dry-run
+expect 1 "two dimensions" "$scenes/../fsi/fsi1.prm" --set Dimension=3 --dry-run
 finish

@@ -26,6 +26,8 @@ namespace semilunar::scene
 
   private:
     std::unique_ptr<flow::FlowSolver<dim>> make_solver();
+    /// @throws InputError for an elastic wall
+    void check_rigid() const;
     /// What the wall and the companion record in addition.
     std::vector<output::TimeSeries::Column> more_columns() const;
     std::vector<double> more_values(const flow::StepReport &report);
