@@ -99,6 +99,56 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  template <class GetEntry>
+  void MomentumMatrix<dim>::add_irregular_cell(const CellLane &cell, const GetEntry &entry)
+  {
+    // The rows and columns of hanging nodes go to those that they hang from: W^T A W, with each
+    // pair of nodes then looked up once.
+    const auto *nodes = spaces.velocity_nodes(cell.batch);
+    std::vector<std::vector<HangingNodes::Master>> masters(n_cell_nodes);
+    std::vector<unsigned int> all;
+    for (unsigned int i = 0; i < n_cell_nodes; ++i)
+    {
+      spaces.velocity_hanging().masters_of(nodes[i][cell.lane], masters[i]);
+      for (const auto &master : masters[i])
+        all.push_back(master.node);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    const unsigned int n = all.size();
+    for (auto &of_node : masters) // from here on numbered in all
+      for (auto &master : of_node)
+        master.node = std::lower_bound(all.begin(), all.end(), master.node) - all.begin();
+
+    std::vector<double> half(n), condensed(n * n, 0.);
+    for (unsigned int i = 0; i < n_cell_nodes; ++i)
+    {
+      std::fill(half.begin(), half.end(), 0.);
+      for (unsigned int j = 0; j < n_cell_nodes; ++j)
+      {
+        const double a = entry(i * n_cell_nodes + j);
+        for (const auto &master : masters[j])
+          half[master.node] += master.weight * a;
+      }
+      for (const auto &master : masters[i])
+        for (unsigned int k = 0; k < n; ++k)
+          condensed[master.node * n + k] += master.weight * half[k];
+    }
+    const unsigned int n_of_rank =
+        std::lower_bound(all.begin(), all.end(), n_owned) - all.begin(); // others come last
+    for (unsigned int i = 0; i < n_of_rank; ++i)
+    {
+      unsigned int at = matrix.row_start[all[i]];
+      for (unsigned int j = 0; j < n_of_rank; ++j)
+      {
+        while (matrix.column[at] != all[j]) // both ascend
+          ++at;
+        matrix.value[at] += condensed[i * n + j];
+      }
+    }
+  }
+
+  template <int dim>
   void MomentumMatrix<dim>::add_batch(const unsigned int batch, const Lanes *cell_matrix)
   {
     const std::size_t n2 = n_cell_nodes * n_cell_nodes;
@@ -107,9 +157,8 @@ namespace semilunar::flow
     {
       if (irregular[batch * n_lanes + lane])
       {
-        for (unsigned int i = 0; i < n_cell_nodes; ++i)
-          for (unsigned int j = 0; j < n_cell_nodes; ++j)
-            add_entry({batch, lane}, i, j, cell_matrix[i * n_cell_nodes + j][lane]);
+        add_irregular_cell({batch, lane},
+                           [&](const unsigned int entry) { return cell_matrix[entry][lane]; });
         continue;
       }
       const unsigned short *places = place.data() + (batch * n_lanes + lane) * n2;
@@ -129,9 +178,7 @@ namespace semilunar::flow
   {
     if (irregular[cell.batch * n_lanes + cell.lane])
     {
-      for (unsigned int i = 0; i < n_cell_nodes; ++i)
-        for (unsigned int j = 0; j < n_cell_nodes; ++j)
-          add_entry(cell, i, j, entries[i * n_cell_nodes + j]);
+      add_irregular_cell(cell, [entries](const unsigned int entry) { return entries[entry]; });
       return;
     }
     const auto *nodes = spaces.velocity_nodes(cell.batch);

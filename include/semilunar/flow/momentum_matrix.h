@@ -34,6 +34,9 @@ namespace semilunar::flow
     void find_places();
     void add_batch(unsigned int batch, const Lanes *cell_matrix);
     void add_entry(const CellLane &cell, unsigned int i, unsigned int j, double entry);
+    /// Of a cell with hanging nodes. @param entry gives those of [node][node]
+    template <class GetEntry>
+    void add_irregular_cell(const CellLane &cell, const GetEntry &entry);
     /// Entries [node][node] of a cell.
     void add_cell(const CellLane &cell, const double *entries);
     float *find(unsigned int row, unsigned int column);
