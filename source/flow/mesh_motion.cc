@@ -303,6 +303,13 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  void MeshMotion<dim>::forget_solution()
+  {
+    solution.zero_out_ghost_values();
+    solution = 0.;
+  }
+
+  template <int dim>
   void MeshMotion<dim>::follow_vertices(const Vector &wall_displacement, Vector &positions) const
   {
     // Displacements of vertices, then of all nodes of the lumen by linear interpolation.

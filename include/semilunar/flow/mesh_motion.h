@@ -34,6 +34,9 @@ namespace semilunar::flow
     /// @return iterations
     unsigned int solve(Vector &positions);
 
+    /// The next solution starts from zero, as it does in a run that goes on from a file.
+    void forget_solution();
+
     /// Smallest scaled Jacobian at the vertices of the cells of the lumen (doc/theory/mesh.md).
     /// Collective. @param positions readable
     double min_scaled_jacobian(const Vector &positions) const;
