@@ -6,6 +6,20 @@
 
 namespace semilunar::flow
 {
+  template <int n_components>
+  void CompressedRows::vmult(const double *x, double *y) const
+  {
+    for (unsigned int i = 0; i < n_rows(); ++i)
+    {
+      double sum[n_components] = {};
+      for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+        for (int c = 0; c < n_components; ++c)
+          sum[c] += value[k] * x[n_components * column[k] + c];
+      for (int c = 0; c < n_components; ++c)
+        y[n_components * i + c] = sum[c];
+    }
+  }
+
   void Ilu::factorise(const CompressedRows &matrix)
   {
     const unsigned int n = matrix.n_rows();
@@ -75,6 +89,8 @@ namespace semilunar::flow
     }
   }
 
+  template void CompressedRows::vmult<2>(const double *, double *) const;
+  template void CompressedRows::vmult<3>(const double *, double *) const;
   template void Ilu::solve<1>(const double *, double *) const;
   template void Ilu::solve<2>(const double *, double *) const;
   template void Ilu::solve<3>(const double *, double *) const;

@@ -101,6 +101,13 @@ namespace semilunar::flow
     if (momentum_is_valid && !stale)
       return;
     assemble_momentum();
+    // Above this CFL number the second V-cycle of equation (16) pays. The momentum matrix has only
+    // the lumen in it: no elastic wall.
+    constexpr double large_cfl = 2.;
+    advection_rules =
+        !equations.wall() &&
+        dealii::Utilities::MPI::max(equations.cells().largest_rates().advection,
+                                    equations.spaces().communicator()) > large_cfl * inertia;
     momentum_is_valid = true;
     inertia_of_factors = inertia;
     age = 0;
@@ -151,7 +158,10 @@ namespace semilunar::flow
   template <int dim>
   void SaddlePointSolver<dim>::precondition(FlowVector &z, const FlowVector &r) const
   {
-    schur.vmult(z.pressure, r.pressure);
+    if (advection_rules)
+      schur.vmult(z.pressure, r.pressure, momentum.rows());
+    else
+      schur.vmult(z.pressure, r.pressure);
     z.pressure *= -1.;
     if (equations.conditions().closed())
       remove_mean(z.pressure);

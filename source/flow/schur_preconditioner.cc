@@ -208,14 +208,20 @@ namespace semilunar::flow
     idle.clear();
     if (equations.wall())
       idle = equations.wall()->nodes().idle_pressures();
-    dealii::TrilinosWrappers::MPI::Vector inverse_diagonal(
-        spaces.velocities()->locally_owned_range(), spaces.communicator());
+    velocity.reinit(spaces.velocities());
+    change.reinit(spaces.velocities());
+    pressure.reinit(spaces.pressures());
+    inverse_diagonal.clear();
+    for (const double entry : diagonal)
+      inverse_diagonal.push_back(1. / entry);
+    dealii::TrilinosWrappers::MPI::Vector weights(spaces.velocities()->locally_owned_range(),
+                                                  spaces.communicator());
     const auto first = spaces.velocities()->local_range().first;
     for (unsigned int i = 0; i < diagonal.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        inverse_diagonal[first + dim * i + c] = 1. / diagonal[i];
-    inverse_diagonal.compress(dealii::VectorOperation::insert);
-    gradient.Tmmult(schur, gradient, inverse_diagonal);
+        weights[first + dim * i + c] = inverse_diagonal[i];
+    weights.compress(dealii::VectorOperation::insert);
+    gradient.Tmmult(schur, gradient, weights);
 
     if (equations.conditions().closed())
     {
@@ -229,7 +235,9 @@ namespace semilunar::flow
 
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
     options.elliptic = true;
-    options.smoother_sweeps = 2;
+    // Cells are flat at walls: incomplete factorisations smooth where polynomials do not.
+    options.smoother_type = "IC";
+    options.smoother_sweeps = 1;
     options.aggregation_threshold = 0.02;
     multigrid.initialize(schur, options);
   }
@@ -242,6 +250,25 @@ namespace semilunar::flow
       result.local_element(i) += inverse_mass.local_element(i) * residual.local_element(i);
     for (const unsigned int i : idle)
       result.local_element(i) = 0.;
+  }
+
+  template <int dim>
+  void SchurPreconditioner<dim>::vmult(Vector &result, const Vector &residual,
+                                       const CompressedRows &momentum) const
+  {
+    const auto scale = [this](Vector &v)
+    {
+      for (unsigned int i = 0; i < inverse_diagonal.size(); ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          v.local_element(dim * i + c) *= inverse_diagonal[i];
+    };
+    multigrid.vmult(pressure, residual);
+    gradient.vmult(velocity, pressure);
+    scale(velocity);
+    momentum.vmult<dim>(velocity.begin(), change.begin());
+    scale(change);
+    gradient.Tvmult(pressure, change);
+    multigrid.vmult(result, pressure);
   }
 
   template class SchurPreconditioner<2>;

@@ -15,6 +15,10 @@ namespace semilunar::flow
     std::vector<float> value;
 
     unsigned int n_rows() const { return row_start.size() - 1; }
+
+    /// y = A x, for n_components interleaved vectors.
+    template <int n_components>
+    void vmult(const double *x, double *y) const;
   };
 
   /// Incomplete factorisation without fill-in, in single precision, applied to up to four

@@ -61,6 +61,7 @@ namespace semilunar::flow
     std::vector<FlowVector> basis, directions;
     double weight = 1.;
     bool momentum_is_valid = false, schur_is_valid = false;
+    bool advection_rules = false;   ///< in the Schur complement, as of the last factorisation
     double inertia_of_factors = 0.; ///< alpha_0 that the factors were made with
     unsigned int age = 0;           ///< solutions since the last factorisation
     unsigned int iterations_when_new = 0, last_iterations = 0;
