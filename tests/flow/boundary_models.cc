@@ -137,6 +137,22 @@ namespace
     check("  order in time below 2 by", std::max(0., 2. - std::log2(errors[0] / errors[1])), 0.2);
   }
 
+  /// Largest relative error of a pulsating inflow after the first period, with a penalty of
+  /// ten rho L / (A dt) for dt = 0.01.
+  double pulsating_flow(const double dt)
+  {
+    const auto inflow = [](const double t) { return 1.5 + std::sin(2. * dealii::numbers::PI * t); };
+    Channel channel(true, 0.5, std::make_shared<PrescribedFlow>(inflow, 4e3), constant(0.));
+    double largest = 0.;
+    while (channel.solver->time() < 2. - 0.5 * dt)
+    {
+      const StepReport report = channel.solver->advance(dt);
+      if (report.time > 1.)
+        largest = std::max(largest, std::abs(report.flow_rate.at(0) + inflow(report.time)) / 2.5);
+    }
+    return largest;
+  }
+
   void prescribed_flow()
   {
     Channel channel(false, 0.5, std::make_shared<PrescribedFlow>([](double) { return 1.5; }, 1e4),
@@ -144,11 +160,14 @@ namespace
     StepReport report;
     for (unsigned int step = 0; step < 20; ++step)
       report = channel.solver->advance(0.1);
+    const double coarse = pulsating_flow(0.02), fine = pulsating_flow(0.01);
     if (!first_rank())
       return;
     log() << "prescribed flow rate" << std::endl;
     check("  inflow", -report.flow_rate.at(0) / 1.5 - 1., 1e-6);
     check("  outflow", report.flow_rate.at(1) / 1.5 - 1., 1e-6);
+    check("  pulsating inflow, relative", fine, 2e-3);
+    check("  order in time below 1 by", std::max(0., 1. - std::log2(coarse / fine)), 0.1);
   }
 
   /// With the skew form and beta = 1/2 nothing feeds energy in through an open boundary at
