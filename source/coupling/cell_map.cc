@@ -134,7 +134,8 @@ namespace semilunar::coupling
     auto next = cell->neighbor(face);
     while (next->has_children()) // any of the smaller ones: the walk goes on from there
       next = next->child(0);
-    return next->is_artificial() ? end : Cell(next);
+    return next->is_artificial() || !flow.spaces().in_lumen(next->active_cell_index()) ? end
+                                                                                       : Cell(next);
   }
 
   CellMap::Place CellMap::search_around(const Tensor<1, 3> &x, const Cell &cell) const
@@ -145,7 +146,7 @@ namespace semilunar::coupling
         auto next = cell->neighbor(face);
         while (next->has_children())
           next = next->child(0);
-        if (next->is_artificial())
+        if (next->is_artificial() || !flow.spaces().in_lumen(next->active_cell_index()))
           continue;
         Place place{Cell(next), Point<3>(0.5, 0.5, 0.5)};
         if (invert(x, place.cell, place.unit_point) && is_inside(place.unit_point))
@@ -183,7 +184,7 @@ namespace semilunar::coupling
     std::vector<Cell> cells;
     std::vector<shell::SpatialHash::Box> boxes;
     for (const auto &cell : handler.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() && flow.spaces().in_lumen(cell->active_cell_index()))
       {
         cells.push_back(cell);
         boxes.push_back(bounding_box(cell));

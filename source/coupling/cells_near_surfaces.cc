@@ -30,7 +30,7 @@ namespace semilunar::coupling
 
     std::vector<bool> new_marks(is_cut.size(), false);
     for (const auto &cell : handler.active_cell_iterators())
-      if (!cell->is_artificial())
+      if (!cell->is_artificial() && spaces.in_lumen(cell->active_cell_index()))
       {
         cell->get_dof_indices(dofs);
         for (const auto dof : dofs)

@@ -79,6 +79,8 @@ namespace semilunar::coupling
       in_shell->move(points.positions);
       local = in_shell->local();
     }
+    if (in_rigid && flow.wall())
+      in_rigid->follow_mesh(rigid.positions);
     if (in_rigid)
       for (ImmersedPoints::Local point : in_rigid->local())
       {
@@ -295,9 +297,9 @@ namespace semilunar::coupling
   {
     CoupledReport report;
     report.new_points = adapt_points();
-    flow.start_step(dt);
     try
     {
+      flow.start_step(dt);
       if (shell)
       {
         shell->start_step(flow.time_derivative());
@@ -321,7 +323,8 @@ namespace semilunar::coupling
     }
     catch (const NumericsError &)
     {
-      flow.reject_step();
+      if (flow.step_under_way())
+        flow.reject_step();
       if (shell)
         y = shell->displacement();
       throw;

@@ -17,6 +17,11 @@ namespace semilunar::coupling
         participants(positions.size(), true)
   {
     search_all(positions);
+    exclude_missing();
+  }
+
+  void ImmersedPoints::exclude_missing()
+  {
     for (const unsigned int q : missing())
       participants[q] = false;
   }
@@ -105,6 +110,27 @@ namespace semilunar::coupling
   {
     Assert(positions.size() >= participants.size(), dealii::ExcInternalError());
     const unsigned int inside_before = inside;
+    walk(positions);
+    if (inside == inside_before)
+      return;
+    // Points that the walk has lost are searched in the whole mesh.
+    search(positions, missing());
+    collect();
+    if (inside < inside_before)
+      throw_lost(positions);
+  }
+
+  void ImmersedPoints::follow_mesh(const std::vector<Position> &positions)
+  {
+    walk(positions);
+    participants.assign(participants.size(), true);
+    search(positions, missing());
+    collect();
+    exclude_missing();
+  }
+
+  void ImmersedPoints::walk(const std::vector<Position> &positions)
+  {
     std::vector<Held> staying, leaving;
     for (const Held &point : held)
     {
@@ -116,13 +142,6 @@ namespace semilunar::coupling
     held = std::move(staying);
     hand_over(positions, leaving);
     collect();
-    if (inside == inside_before)
-      return;
-    // Points that the walk has lost are searched in the whole mesh.
-    search(positions, missing());
-    collect();
-    if (inside < inside_before)
-      throw_lost(positions);
   }
 
   void ImmersedPoints::throw_lost(const std::vector<Position> &positions) const

@@ -21,7 +21,10 @@ namespace semilunar::flow
   void Equations<dim>::reinit(const Vector &positions, const Vector &reference)
   {
     if (wall_equations)
+    {
       wall_equations->reinit(reference);
+      find_held_nodes(reference);
+    }
     boundary.reinit();
     for (const auto &[id, part] : boundary.parts())
       if (bc.all().count(id) == 0)
@@ -37,6 +40,24 @@ namespace semilunar::flow
     forms->update_geometry(positions);
     boundary.update_geometry(positions);
     fixed.reinit(space, boundary, bc);
+    fixed.hold(held_nodes);
+  }
+
+  template <int dim>
+  void Equations<dim>::find_held_nodes(const Vector &reference)
+  {
+    held_nodes.clear();
+    const unsigned int n_stored =
+        space.nodes()->locally_owned_size() + space.nodes()->n_ghost_indices();
+    for (unsigned int node = 0; node < n_stored; ++node)
+      if (wall_equations->nodes().in_wall(node))
+      {
+        dealii::Point<dim> x;
+        for (unsigned int c = 0; c < dim; ++c)
+          x[c] = reference.local_element(dim * node + c);
+        if (bc.is_held(x))
+          held_nodes.push_back(node);
+      }
   }
 
   template <int dim>

@@ -98,10 +98,11 @@ namespace semilunar::flow
       if (e.node >= n_owned_nodes)
         continue;
       Tensor<1, dim> velocity;
-      const auto &condition = conditions.all().at(e.id);
-      if (condition.kind == Kind::velocity)
-        velocity = condition.velocity(dealii::Point<dim>(vector_at<dim>(positions, e.node)), time);
-      else if (mesh_velocity)
+      const auto condition = conditions.all().find(e.id);
+      if (condition != conditions.all().end() && condition->second.kind == Kind::velocity)
+        velocity =
+            condition->second.velocity(dealii::Point<dim>(vector_at<dim>(positions, e.node)), time);
+      else if (mesh_velocity && condition != conditions.all().end())
         velocity = vector_at<dim>(*mesh_velocity, e.node);
       for (unsigned int d = 0; d < e.n; ++d)
         e.values[d] = velocity * e.directions[d];

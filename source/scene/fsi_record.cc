@@ -11,7 +11,8 @@ namespace semilunar::scene
 {
   namespace
   {
-    std::vector<output::TimeSeries::Column> columns(const ValveMotion &motion)
+    std::vector<output::TimeSeries::Column> columns(const ValveMotion &motion,
+                                                    const WallRecord<3> *wall)
     {
       std::vector<output::TimeSeries::Column> all = {{"time", "s"},
                                                      {"step", "s"},
@@ -36,7 +37,21 @@ namespace semilunar::scene
                                                      {"largest_penetration", "cm"}};
       const auto more = motion.columns();
       all.insert(all.end(), more.begin(), more.end());
+      if (!wall)
+        return all;
+      const auto of_wall = wall->columns();
+      all.insert(all.end(), of_wall.begin(), of_wall.end());
       return all;
+    }
+
+    std::unique_ptr<WallRecord<3>> make_wall_record(const ValveFsiParameters &prm,
+                                                    const ValveInBlood &valve)
+    {
+      if (!valve.has_elastic_wall())
+        return nullptr;
+      FlowRecordParameters parameters;
+      parameters.wall_probes = prm.wall_probes;
+      return std::make_unique<WallRecord<3>>(parameters, valve.artery());
     }
   } // namespace
 
@@ -44,8 +59,8 @@ namespace semilunar::scene
                        RunContext &context)
       : prm(parameters), valve(valve),
         context(context), sections{{{2, prm.sections[0]}, {2, prm.sections[1]}}},
-        motion(prm.source, valve.leaflets(), context),
-        series(context.folder, columns(motion), "timeseries.csv", context.restart),
+        motion(prm.source, valve.leaflets(), context), wall(make_wall_record(prm, valve)),
+        series(context.folder, columns(motion, wall.get()), "timeseries.csv", context.restart),
         shell_files(context.folder, valve.leaflets(), prm.shell_vtu),
         flow_files(context.folder, prm.flow_vtu, prm.boundaries.walls<3>(valve.artery()))
   {
@@ -62,6 +77,8 @@ namespace semilunar::scene
   void FsiRecord::begin()
   {
     write();
+    if (wall)
+      counts.volume_at_start = valve.volume();
     add_row(valve.at_rest(), pressure_difference());
     counts.next_row = prm.series_interval;
   }
@@ -79,6 +96,20 @@ namespace semilunar::scene
            sections[1].evaluate(valve.blood()).pressure;
   }
 
+  void FsiRecord::balance_volumes(const coupling::CoupledReport &report)
+  {
+    double net = 0.;
+    for (const char *const name : {"inlet", "outlet"})
+      net -= report.flow.flow_rate.at(valve.artery().boundary_id(name, "Mesh"));
+    // the first step is of first order: its flow rate is that of the whole step
+    const double last = counts.steps == 1 ? net : counts.last_net_flow_rate;
+    counts.net_inflow += 0.5 * report.flow.dt * (net + last);
+    counts.last_net_flow_rate = net;
+    counts.largest_volume_error =
+        std::max(counts.largest_volume_error,
+                 std::abs(valve.volume() - counts.volume_at_start - counts.net_inflow));
+  }
+
   void FsiRecord::add(const coupling::CoupledReport &report)
   {
     const Timers::Scope timer(context.timers, "output");
@@ -90,6 +121,11 @@ namespace semilunar::scene
                      (std::abs(report.power.fluid) + std::abs(report.power.structure)));
     counts.largest_penetration =
         std::max(counts.largest_penetration, valve.leaflets().contact->largest_penetration());
+    if (wall)
+    {
+      locate_sections();
+      balance_volumes(report);
+    }
     const double difference = pressure_difference();
     const double outflow = report.flow.flow_rate.at(valve.artery().boundary_id("outlet", "Mesh"));
     flow_through.add(valve.time(), outflow, difference);
@@ -150,6 +186,13 @@ namespace semilunar::scene
         model.contact->largest_penetration()};
     const auto more = motion.row(valve.time(), x);
     all.insert(all.end(), more.begin(), more.end());
+    if (wall)
+    {
+      const bool at_rest = report.flow.dt == 0.; // the first row
+      const auto of_wall = at_rest ? std::vector<double>(wall->columns().size(), 0.)
+                                   : wall->row(report.flow, valve.solver());
+      all.insert(all.end(), of_wall.begin(), of_wall.end());
+    }
     series.add_row(all);
   }
 
@@ -200,5 +243,7 @@ namespace semilunar::scene
          {"rejected_steps", double(counts.rejected), "-"},
          {"cells", double(valve.artery().triangulation.n_global_active_cells()), "-"},
          {"immersed_points", double(valve.n_points()), "-"}});
+    if (wall)
+      results.quantities.push_back({"largest_volume_error", counts.largest_volume_error, "cm^3"});
   }
 } // namespace semilunar::scene

@@ -38,7 +38,7 @@ namespace semilunar::scene
         {"valve dynamics", kind<ValveDynamics>("the leaflets of a valve design, opening and "
                                                "closing under a transvalvular pressure")},
         {"valve fsi",
-         kind<ValveFsi>("leaflets, stent and blood in an artery with rigid walls, moving "
+         kind<ValveFsi>("leaflets, stent and blood in a rigid or elastic artery, moving "
                         "each other")},
         {"valve statics",
          kind<ValveStatics>(

@@ -23,6 +23,14 @@ namespace semilunar::scene
     mesh.shape = mesh::Shape::artery;
     mesh.add_parameters(prm);
     flow.add_parameters(prm);
+    wall.add_parameters(prm);
+    prm.enter_subsection("Wall");
+    prm.add_parameter(
+        "Held by the stent", held_wall,
+        "An elastic wall stands still within this distance of the plane of the suture "
+        "ring [cm]",
+        Patterns::Double(0.));
+    prm.leave_subsection();
     boundaries.add_parameters(prm);
     coupling.add_parameters(prm);
     refinement.add_parameters(prm);
@@ -43,6 +51,10 @@ namespace semilunar::scene
     prm.add_parameter("Series interval", series_interval,
                       "Time between rows of the time series [s]; 0: a row for each step",
                       Patterns::Double(0.));
+    prm.add_parameter(
+        "Wall probes", wall_probes,
+        "Places of an elastic wall at rest whose displacement is recorded, 'NAME: (x, "
+        "y, z)', separated by semicolons");
     prm.add_parameter("Sections", sections,
                       "z of the cross-sections before and behind the valve between which the "
                       "pressure difference is taken [cm]",

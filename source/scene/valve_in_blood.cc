@@ -27,6 +27,19 @@ namespace semilunar::scene
       shell.contact = prm.contact;
       return std::make_unique<ShellModel>(prm.source.build(), shell, timers);
     }
+
+    /// Of the blood, and of an elastic wall where the suture ring cuts it.
+    flow::BoundaryConditions<3> make_conditions(const ValveFsiParameters &prm,
+                                                const mesh::Mesh<3> &mesh)
+    {
+      auto conditions = prm.boundaries.conditions<3>(mesh, {}, {});
+      if (prm.has_stent)
+        conditions.hold_wall(
+            [radius = prm.source.design.stent.ring_outer_radius,
+             width = prm.held_wall](const auto &x)
+            { return std::abs(x[2]) <= width && std::hypot(x[0], x[1]) <= radius; });
+      return conditions;
+    }
   } // namespace
 
   ValveInBlood::ValveInBlood(const ValveFsiParameters &parameters, Log &log, Timers &timers)
@@ -39,8 +52,8 @@ namespace semilunar::scene
                        .positions),
         points(model->surface, fewest_points),
         shell(model->surface, points, model->equations, model->equilibrium, mass),
-        mapping(prm.flow.degree), conditions(prm.boundaries.conditions<3>(*mesh, {}, {})),
-        flow(prm.flow, mesh->triangulation, mapping, conditions, timers),
+        mapping(prm.flow.degree), conditions(make_conditions(prm, *mesh)),
+        flow(prm.flow, mesh->triangulation, mapping, conditions, timers, &prm.wall),
         velocity_dofs(std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs()))
   {
     const Timers::Scope timer(timers, "set-up");
@@ -127,6 +140,11 @@ namespace semilunar::scene
         report.flow.mean_pressure[id] = flow.mean_pressure(id);
       }
     return report;
+  }
+
+  double ValveInBlood::volume()
+  {
+    return dealii::Utilities::MPI::sum(flow.cells().volume(), flow.spaces().communicator());
   }
 
   output::FlowState<3> ValveInBlood::blood() const

@@ -42,6 +42,13 @@ for name in peak_flow_rate max_mipe_over_time largest_pressure_difference; do
     "$(awk -v v="$value" 'BEGIN { print 1.002 * v }')"
 done
 
+# In an elastic artery, what flows in and not out is stored.
+expect 0 'step 8, ' "$scenes/fsi.prm" --output elastic --set "Valve/Elements along=8" \
+  --set "Valve/Elements across=8" --set "Mesh/Artery/Cells around=12" --set "Time/End=0.004"
+expect_between elastic largest_volume_error 0 0.01 # of 90
+expect_between elastic largest_power_imbalance 0 1e-8
+expect_between elastic rejected_steps 0 0
+
 whole_program=$program
 cat >by_2_ranks <<END_SCRIPT
 #!/bin/bash

@@ -7,9 +7,9 @@
 
 namespace semilunar::coupling
 {
-  /// Finds points in the fluid's mesh, starting from where they were: inverts the isoparametric map
-  /// of a cell by Newton's method and walks through the faces beyond which the point lies. Costs
-  /// about a microsecond for a point that stays in its cell.
+  /// Finds points in the cells of the mesh that hold fluid, starting from where they were: inverts
+  /// the isoparametric map of a cell by Newton's method and walks through the faces beyond which
+  /// the point lies. Costs about a microsecond for a point that stays in its cell.
   class CellMap
   {
   public:

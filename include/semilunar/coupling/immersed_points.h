@@ -24,6 +24,10 @@ namespace semilunar::coupling
     /// @throws NumericsError on all ranks if a point that was in the fluid has left it
     void move(const std::vector<Position> &positions);
 
+    /// Follow a mesh that has moved under the points: those that it has left take no part any more,
+    /// those that it has reached do. Collective.
+    void follow_mesh(const std::vector<Position> &positions);
+
     /// Find all points anew, as after the mesh was refined, wherever they were before. Collective.
     /// @throws NumericsError on all ranks if a point that was in the fluid is not found
     void search_again(const std::vector<Position> &positions);
@@ -38,7 +42,8 @@ namespace semilunar::coupling
     /// Those of this rank, in ascending order of q.
     const std::vector<Local> &local() const { return of_this_rank; }
 
-    /// Whether a point was in the mesh from the start; the same on all ranks.
+    /// Whether a point was in the mesh from the start, or at the last follow_mesh(); the same on
+    /// all ranks.
     bool takes_part(const unsigned int q) const { return participants[q]; }
 
     /// Of all ranks.
@@ -51,12 +56,15 @@ namespace semilunar::coupling
       unsigned int q;
       CellMap::Place place;
     };
+    /// Walk from the places where points were.
+    void walk(const std::vector<Position> &positions);
     /// Search the whole mesh for these points, and keep what this rank owns.
     void search(const std::vector<Position> &positions, const std::vector<unsigned int> &which);
     /// Give points in cells of other ranks to these.
     void hand_over(const std::vector<Position> &positions, const std::vector<Held> &leaving);
     void collect();
     std::vector<unsigned int> missing() const;
+    void exclude_missing();
     void search_all(const std::vector<Position> &positions);
     [[noreturn]] void throw_lost(const std::vector<Position> &positions) const;
 

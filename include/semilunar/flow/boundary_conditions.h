@@ -60,6 +60,13 @@ namespace semilunar::flow
       conditions[id] = {Kind::open, {}, {}, std::move(pressure), backflow};
     }
 
+    /// Places (at rest) where nodes of an elastic wall are held, as by something that cuts it.
+    void hold_wall(std::function<bool(const dealii::Point<dim> &)> where)
+    {
+      held = std::move(where);
+    }
+    bool is_held(const dealii::Point<dim> &x) const { return held && held(x); }
+
     const std::map<Id, Condition> &all() const { return conditions; }
 
     /// Whether nothing fixes the level of the pressure.
@@ -73,6 +80,7 @@ namespace semilunar::flow
 
   private:
     std::map<Id, Condition> conditions;
+    std::function<bool(const dealii::Point<dim> &)> held;
   };
 } // namespace semilunar::flow
 

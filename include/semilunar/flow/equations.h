@@ -73,6 +73,7 @@ namespace semilunar::flow
     std::map<dealii::types::boundary_id, double> open_flow_rates(const Vector &velocity) const;
 
   private:
+    void find_held_nodes(const Vector &reference);
     void finish_momentum(Vector &momentum, bool masked) const;
     void finish_continuity(Vector &continuity) const;
 
@@ -84,6 +85,7 @@ namespace semilunar::flow
     VelocityConstraints<dim> fixed;
     PointTerms<dim> point_terms;
     std::unique_ptr<WallEquations<dim>> wall_equations;
+    std::vector<unsigned int> held_nodes; ///< of the wall, by stored index
     Step step;
     std::map<dealii::types::boundary_id, PressureModel::Relation> relations;
     bool has_resistance = false;

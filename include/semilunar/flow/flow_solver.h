@@ -74,6 +74,7 @@ namespace semilunar::flow
     double follow_wall();
     StepReport accept_step();
     void reject_step();
+    bool step_under_way() const { return in_step; }
 
     /// The next step as controlled by the parameters: dt itself if fixed.
     double suggested_dt(double dt) const;

@@ -91,6 +91,11 @@ namespace semilunar::flow
     {
       return lane_of_cell[active_cell_index];
     }
+    /// Whether a cell that is not artificial holds blood.
+    bool in_lumen(const unsigned int active_cell_index) const
+    {
+      return lane_of_cell[active_cell_index].batch < n_batches();
+    }
 
   private:
     void number_unknowns();

@@ -18,12 +18,19 @@ namespace semilunar::flow
       unsigned int n;                                     ///< constrained directions, 1 to dim
       std::array<dealii::Tensor<1, dim>, dim> directions; ///< orthonormal
       std::array<double, dim> values;                     ///< along them [cm/s]
-      dealii::types::boundary_id id; ///< the part that gives the values, unless normals of several
+      dealii::types::boundary_id id; ///< the part that gives the values, unless normals of several;
+                                     ///< invalid: the node is held
     };
 
     /// Find the nodes. @param faces with up-to-date normals
     void reinit(const Spaces<dim> &spaces, const BoundaryFaces<dim> &faces,
                 const BoundaryConditions<dim> &conditions);
+
+    /// Nodes that stand still, whatever is given there. After reinit().
+    void hold(const std::vector<unsigned int> &nodes)
+    {
+      fix(nodes, dealii::numbers::invalid_boundary_id);
+    }
 
     /// Values at a time. @param mesh_velocity nullptr: at rest
     void set_values(const BoundaryConditions<dim> &conditions, const Vector &positions,

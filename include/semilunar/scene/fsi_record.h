@@ -8,6 +8,7 @@
 #include <semilunar/scene/shell_output.h>
 #include <semilunar/scene/valve_in_blood.h>
 #include <semilunar/scene/valve_motion.h>
+#include <semilunar/scene/wall_record.h>
 
 namespace semilunar::scene
 {
@@ -44,6 +45,7 @@ namespace semilunar::scene
     RunContext &context;
     std::array<output::CrossSection<3>, 2> sections;
     ValveMotion motion;
+    const std::unique_ptr<WallRecord<3>> wall; ///< null: it is rigid
     output::TimeSeries series;
     ShellOutput shell_files;
     output::FlowVtu<3> flow_files;
@@ -55,6 +57,9 @@ namespace semilunar::scene
       /// Largest relative imbalance of power, and largest penetration [cm], so far.
       double largest_imbalance = 0., largest_penetration = 0.;
       unsigned int steps = 0, iterations = 0, rejected = 0;
+      /// With an elastic wall: what flowed in so far should be what is stored [cm^3], [cm^3/s].
+      double volume_at_start = 0., net_inflow = 0., last_net_flow_rate = 0.,
+             largest_volume_error = 0.;
       std::uintmax_t series_size = 0;
       std::string last_file{};
 
@@ -63,10 +68,12 @@ namespace semilunar::scene
       {
         archive &next_row &next_shell_file &next_flow_file &largest_imbalance &largest_penetration;
         archive &steps &iterations &rejected &series_size &last_file;
+        archive &volume_at_start &net_inflow &last_net_flow_rate &largest_volume_error;
       }
     } counts;
 
     double pressure_difference() const;
+    void balance_volumes(const coupling::CoupledReport &report);
     void add_row(const coupling::CoupledReport &report, double pressure_difference);
     void write_shell();
     void write_flow();

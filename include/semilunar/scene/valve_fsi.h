@@ -6,6 +6,7 @@
 #include <semilunar/coupling/parameters.h>
 #include <semilunar/coupling/refinement_near_points.h>
 #include <semilunar/flow/parameters.h>
+#include <semilunar/flow/wall_parameters.h>
 #include <semilunar/mesh/parameters.h>
 #include <semilunar/output/flow_vtu.h>
 #include <semilunar/output/surface_vtu.h>
@@ -28,6 +29,9 @@ namespace semilunar::scene
     shell::ContactParameters contact;
     mesh::MeshParameters mesh;
     flow::Parameters flow;
+    flow::WallParameters wall;
+    double held_wall = 0.1;  ///< [cm]
+    std::string wall_probes; ///< places at rest
     FlowBoundaries boundaries;
     coupling::Parameters coupling;
     coupling::RefinementParameters refinement;
@@ -46,7 +50,7 @@ namespace semilunar::scene
     void check() const;
   };
 
-  /// A valve in an artery with rigid walls: leaflets, stent and blood move each other.
+  /// A valve in an artery with rigid or elastic walls: leaflets, stent and blood move each other.
   class ValveFsi : public Scene
   {
   public:

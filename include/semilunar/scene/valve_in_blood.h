@@ -13,7 +13,8 @@
 
 namespace semilunar::scene
 {
-  /// Leaflets, stent and blood in an artery with rigid walls: what moves, and its checkpoints.
+  /// Leaflets, stent and blood in an artery with rigid or elastic walls: what moves, and its
+  /// checkpoints.
   class ValveInBlood
   {
   public:
@@ -40,6 +41,10 @@ namespace semilunar::scene
     double kinetic_energy() const { return shell.kinetic_energy(); }
     output::FlowState<3> blood() const;
     const mesh::Mesh<3> &artery() const { return *mesh; }
+    flow::FlowSolver<3> &solver() { return flow; }
+    bool has_elastic_wall() const { return flow.wall() != nullptr; }
+    /// Of the blood [cm^3]. Collective.
+    double volume();
 
     unsigned long long n_unknowns() const;
     /// Immersed points of the leaflets.
