@@ -202,6 +202,7 @@ namespace semilunar::flow
                                        const std::vector<double> &of_lumen)
   {
     const Spaces<dim> &spaces = equations.spaces();
+    multigrid.clear(); // before its matrix: the incomplete factorisations refer to that
     assemble_gradient(equations);
     assemble_mass(equations);
     const auto diagonal = equations.wall() ? with_wall(equations, of_lumen) : of_lumen;
