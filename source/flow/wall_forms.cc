@@ -161,7 +161,7 @@ namespace semilunar::flow
             for (int d = 0; d < dim; ++d)
               jacobian[c][d] = dx[c][d][q];
           auto &point = geometry_points[std::size_t(batch - spaces.n_batches()) * n_points + q];
-          const Lanes det = invert_lanes(jacobian, point.inverse);
+          const Lanes det = invert(jacobian, point.inverse);
           point.jxw = det * kernel.weights()[q];
           for (unsigned int lane = 0; lane < n_lanes; ++lane)
             if (!(det[lane] > 0.))
@@ -406,7 +406,7 @@ namespace semilunar::flow
                                 [&](const unsigned int, const int, const Matrix &F)
                                 {
                                   Matrix inverse;
-                                  const Lanes det = invert_lanes(F, inverse);
+                                  const Lanes det = invert(F, inverse);
                                   for (unsigned int lane = 0; lane < n_lanes; ++lane)
                                     smallest = std::min(smallest, det[lane]);
                                 });

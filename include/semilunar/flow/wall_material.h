@@ -2,6 +2,7 @@
 #ifndef semilunar_flow_wall_material_h
 #define semilunar_flow_wall_material_h
 
+#include <semilunar/flow/lane_matrices.h>
 #include <semilunar/flow/tensor_kernel.h>
 #include <semilunar/flow/wall_parameters.h>
 
@@ -71,38 +72,6 @@ namespace semilunar::flow
                         });
   }
 
-  /// Inverse and determinant of a matrix in each lane.
-  template <int dim>
-  inline Lanes invert_lanes(const Lanes (&A)[dim][dim], Lanes (&inverse)[dim][dim])
-  {
-    if constexpr (dim == 2)
-    {
-      const Lanes det = A[0][0] * A[1][1] - A[0][1] * A[1][0], factor = 1. / det;
-      inverse[0][0] = A[1][1] * factor;
-      inverse[0][1] = -A[0][1] * factor;
-      inverse[1][0] = -A[1][0] * factor;
-      inverse[1][1] = A[0][0] * factor;
-      return det;
-    }
-    else
-    {
-      Lanes cofactor[3][3];
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-        {
-          const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-          cofactor[i][j] = A[a][c] * A[b][d] - A[a][d] * A[b][c];
-        }
-      const Lanes det = A[0][0] * cofactor[0][0] + A[0][1] * cofactor[0][1] +
-                        A[0][2] * cofactor[0][2],
-                  factor = 1. / det;
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          inverse[j][i] = cofactor[i][j] * factor;
-      return det;
-    }
-  }
-
   template <int dim>
   Lanes WallMaterial<dim>::first_invariant(const Tensor &F)
   {
@@ -150,7 +119,7 @@ namespace semilunar::flow
     Tensor work;
     if (neo_hookean)
     {
-      const Lanes J = invert_lanes(F, work);
+      const Lanes J = invert(F, work);
       const Lanes logarithm = lane_by_lane(J, [](const double x) { return std::log(x); });
       return 0.5 * mu * (isochoric_scaling(J) * first_invariant(F) - 3.) +
              0.5 * kappa * (0.5 * (J * J - 1.) - logarithm);
@@ -169,7 +138,7 @@ namespace semilunar::flow
     Tensor work;
     if (neo_hookean)
     {
-      const Lanes J = invert_lanes(F, work), factor = mu * isochoric_scaling(J);
+      const Lanes J = invert(F, work), factor = mu * isochoric_scaling(J);
       const Lanes pressure = 0.5 * kappa * (J * J - 1.) - factor * first_invariant(F) * (1. / 3.);
       for (int i = 0; i < dim; ++i)
         for (int I = 0; I < dim; ++I)
@@ -198,7 +167,7 @@ namespace semilunar::flow
       material.second_stress(F, S);
       return;
     }
-    const Lanes J = invert_lanes(F, inverse);
+    const Lanes J = invert(F, inverse);
     isochoric = material.mu * isochoric_scaling(J);
     trace_third = first_invariant(F) * (1. / 3.);
     volumetric = 0.5 * material.kappa * (J * J - 1.);
