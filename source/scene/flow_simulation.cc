@@ -24,14 +24,7 @@ namespace semilunar::scene
     /// of the step in a scene file leaves over is no step of its own.
     constexpr double stretch = 1e-3;
     constexpr double end_tolerance = 1e-6; // of the end time
-
-    template <int dim>
-    VectorField<dim> field_if_given(const std::string &text, const Constants &constants,
-                                    const std::string &entry)
-    {
-      return text.empty() ? VectorField<dim>() : vector_field<dim>(text, constants, entry);
-    }
-  } // namespace
+  }                                        // namespace
 
   template <int dim>
   FlowSimulation<dim>::FlowSimulation(const FlowSceneParameters &parameters, RunContext &context,

@@ -27,12 +27,6 @@ namespace semilunar::scene
       shell.contact = prm.contact;
       return shell;
     }
-
-    VectorField<3> field_if_given(const std::string &text, const Constants &constants,
-                                  const std::string &entry)
-    {
-      return text.empty() ? VectorField<3>() : vector_field<3>(text, constants, entry);
-    }
   } // namespace
 
   ShellCompanion::Moving::Moving(const ImmersedShellParameters &prm, const spline::Surface &surface,
@@ -53,10 +47,10 @@ namespace semilunar::scene
                             surface, smallest_width(mesh) / prm.coupling.points_per_cell)),
         shell(prm.rigid ? nullptr : std::make_unique<Moving>(prm, surface, points, context.timers)),
         load(vector_field<3>(prm.load, prm.flow.constants, "Shell/Load")),
-        displacement(field_if_given(prm.exact_displacement, prm.flow.constants,
-                                    "Exact solution/Displacement")),
-        velocity(field_if_given(prm.exact_velocity, prm.flow.constants,
-                                "Exact solution/Shell velocity")),
+        displacement(field_if_given<3>(prm.exact_displacement, prm.flow.constants,
+                                       "Exact solution/Displacement")),
+        velocity(field_if_given<3>(prm.exact_velocity, prm.flow.constants,
+                                   "Exact solution/Shell velocity")),
         coupled(flow,
                 {shell ? &shell->motion : nullptr, surface, points, prm.section.mass_per_area()},
                 shell ? coupling::SurfacePoints()

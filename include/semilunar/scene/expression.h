@@ -36,6 +36,14 @@ namespace semilunar::scene
   VectorField<dim> vector_field(const std::string &text, const Constants &constants,
                                 const std::string &entry);
 
+  /// The same, or no function if there is no text.
+  template <int dim>
+  VectorField<dim> field_if_given(const std::string &text, const Constants &constants,
+                                  const std::string &entry)
+  {
+    return text.empty() ? VectorField<dim>() : vector_field<dim>(text, constants, entry);
+  }
+
   /// An expression in x, y, z, t.
   template <int dim>
   ScalarField<dim> scalar_field(const std::string &text, const Constants &constants,
