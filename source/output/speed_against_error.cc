@@ -60,8 +60,11 @@ namespace semilunar::output
     }
   } // namespace
 
-  std::vector<QuantityStudy> study_quantities(const std::vector<LevelRun> &runs, const double ratio)
+  std::vector<QuantityStudy> study_quantities(const std::vector<LevelRun> &runs)
   {
+    std::vector<double> sizes;
+    for (const LevelRun &run : runs)
+      sizes.push_back(run.size);
     std::vector<QuantityStudy> studies;
     for (const Quantity &quantity : runs.back().results.quantities)
     {
@@ -72,7 +75,7 @@ namespace semilunar::output
             study.values.push_back(same->value);
       if (study.values.size() != runs.size())
         continue;
-      study.estimate = estimate_errors(study.values, ratio, study.reference);
+      study.estimate = estimate_errors(study.values, sizes, study.reference);
       studies.push_back(study);
     }
     return studies;

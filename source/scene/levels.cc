@@ -27,15 +27,34 @@ namespace semilunar::scene
       return result;
     }
 
+    /// The first number of a text, which must hold one.
+    double first_number(const std::string &text)
+    {
+      return std::stod(text.substr(text.find_first_of("+-.0123456789")));
+    }
+
+    Refinement parse_list(const std::string &entry, const std::string &list)
+    {
+      Refinement refinement{entry, ':', 0., parts(list, '|')};
+      for (const std::string &value : refinement.values)
+        if (value.find_first_of("0123456789") == std::string::npos)
+          throw InputError(finer_entry, value, "this is no resolution", "give numbers");
+      return refinement;
+    }
+
     Refinement parse_refinement(const std::string &text)
     {
+      const std::size_t colon = text.find(':');
+      if (colon != std::string::npos)
+        return parse_list(dealii::Utilities::trim(text.substr(0, colon)), text.substr(colon + 1));
       // The blanks tell a division from the slashes of the entry's path.
       static const std::regex form(R"((.*\S)\s+([*/+])\s+([0-9.]+))");
       std::smatch match;
       if (!std::regex_match(text, match, form))
         throw InputError(finer_entry, text, "this changes no entry",
-                         "write 'Section/Entry * 2', 'Section/Entry / 2' or 'Section/Entry + 1'");
-      const Refinement refinement{match[1], match[2].str()[0], std::stod(match[3])};
+                         "write 'Section/Entry * 2', 'Section/Entry / 2', 'Section/Entry + 1' or "
+                         "'Section/Entry: VALUE | VALUE'");
+      const Refinement refinement{match[1], match[2].str()[0], std::stod(match[3]), {}};
       const bool is_sum = refinement.operation == '+';
       if (is_sum ? refinement.by < 1. || refinement.by != std::floor(refinement.by)
                  : refinement.by <= 1.)
@@ -65,8 +84,9 @@ namespace semilunar::scene
     prm.add_parameter("Finer", finer,
                       "What --levels changes from one run to the next, separated by semicolons: "
                       "'Section/Entry * 2', 'Section/Entry / 2' or 'Section/Entry + 1', applied to "
-                      "every number of the entry. Orders of convergence refer to the first one; "
-                      "'+ 1' counts as a refinement by two.");
+                      "every number of the entry, or 'Section/Entry: VALUE | VALUE', a value for "
+                      "each level. Orders of convergence refer to the first one; '+ 1' counts as a "
+                      "refinement by two.");
     prm.add_parameter("References", references,
                       "Exact or published values of quantities, 'name: value (source)', separated "
                       "by semicolons; the summary compares them with the run's.");
@@ -76,14 +96,20 @@ namespace semilunar::scene
     prm.leave_subsection();
   }
 
-  double Refinement::ratio() const
+  double Refinement::size(const unsigned int level) const
   {
-    return operation == '+' ? std::pow(2., by) : by;
+    if (operation != ':')
+      return std::pow(operation == '+' ? std::pow(2., by) : by, -double(level));
+    // Numbers of cells grow, steps fall.
+    const double first = first_number(values.front()), value = first_number(values[level]);
+    return first_number(values.back()) > first ? first / value : value / first;
   }
 
   std::string Refinement::apply(const std::string &value, const unsigned int level,
                                 const bool whole_numbers) const
   {
+    if (operation == ':')
+      return values[level];
     static const std::regex number(R"([-+]?[0-9.]+([eE][-+]?[0-9]+)?)");
     const double factor = std::pow(by, operation == '/' ? -double(level) : double(level));
     std::ostringstream result;
@@ -108,6 +134,11 @@ namespace semilunar::scene
     if (refinements.empty())
       throw InputError(finer_entry, "", "the scene does not say what finer means",
                        "name the entries to change, as in 'Surface/Elements * 2'");
+    const Refinement &first = refinements.front();
+    for (unsigned int level = 1; level < first.values.size(); ++level)
+      if (!(first.size(level) < first.size(level - 1)))
+        throw InputError(finer_entry, first.values[level], "this makes nothing finer",
+                         "order the values of " + first.entry + " from coarse to fine");
     return refinements;
   }
 
@@ -133,6 +164,11 @@ namespace semilunar::scene
       if (entry->value.find_first_of("0123456789") == std::string::npos)
         throw InputError(finer_entry, refinement.entry, "the entry holds no number",
                          "name entries that give a resolution");
+      if (refinement.operation == ':' && level >= refinement.values.size())
+        throw InputError(finer_entry, refinement.entry,
+                         "there are values for " + std::to_string(refinement.values.size()) +
+                             " levels only",
+                         "give more or ask for fewer levels");
       const bool whole_numbers = entry->pattern.find("Integer") != std::string::npos;
       result.replace({entry->path, refinement.apply(entry->value, level, whole_numbers),
                       "level " + std::to_string(level), ""});

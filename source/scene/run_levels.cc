@@ -33,10 +33,9 @@ namespace semilunar::scene
     }
 
     void report_levels(const fs::path &folder, const PreparedScene &base,
-                       const std::vector<output::LevelRun> &runs, const double ratio,
-                       const Timers &timers, Log &log)
+                       const std::vector<output::LevelRun> &runs, const Timers &timers, Log &log)
     {
-      std::vector<output::QuantityStudy> studies = output::study_quantities(runs, ratio);
+      std::vector<output::QuantityStudy> studies = output::study_quantities(runs);
       const auto last =
           std::remove_if(studies.begin(), studies.end(),
                          [&](const output::QuantityStudy &study)
@@ -63,11 +62,9 @@ namespace semilunar::scene
     const std::vector<ParameterDescription> entries = list_parameters(base.prm);
     const Timers timers;
     std::vector<output::LevelRun> runs;
-    double ratio = 0.;
     try
     {
       const std::vector<Refinement> refinements = parse_refinements(base.scene->levels.finer);
-      ratio = refinements.front().ratio();
       if (!dry_run)
         create_folder(folder, base.prm);
       for (unsigned int level = 0; level < n_levels; ++level)
@@ -79,6 +76,7 @@ namespace semilunar::scene
         runs.push_back(
             run_once(level_input, folder / ("level-" + std::to_string(level)), dry_run, log));
         runs.back().level = level;
+        runs.back().size = refinements.front().size(level);
       }
     }
     catch (const InputError &error)
@@ -89,10 +87,10 @@ namespace semilunar::scene
     {
       // The coarser levels are worth having.
       if (!runs.empty())
-        report_levels(folder, base, runs, ratio, timers, log);
+        report_levels(folder, base, runs, timers, log);
       throw;
     }
     if (!dry_run)
-      report_levels(folder, base, runs, ratio, timers, log);
+      report_levels(folder, base, runs, timers, log);
   }
 } // namespace semilunar::scene

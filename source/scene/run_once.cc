@@ -75,6 +75,6 @@ namespace semilunar::scene
     {
       throw error.at(input.locate(error.where()));
     }
-    return {0, context.results, timers.cost()};
+    return {0, 1., context.results, timers.cost()};
   }
 } // namespace semilunar::scene

@@ -19,17 +19,17 @@ namespace semilunar
     std::string basis;          ///< "reference", "Richardson", "difference", "none"
   };
 
-  /// Errors of values at resolutions that become finer by the same ratio from each to the next,
-  /// equations (E1)-(E3) of doc/theory/error-estimates.md.
+  /// Errors of values at ever finer resolutions, equations (E1)-(E3) of doc/theory/error-estimates.md.
   ///
   /// With a reference they are the distances to it. Otherwise they are the distances to
   /// Richardson's limit of the finest three values if these approach one steadily at an order of at
   /// least one half, and else distances to the finest value, which itself gets the larger of the
   /// last two differences ("difference": a cautious guess).
   ///
-  /// @param ratio     of the mesh sizes (or time steps), greater than one
+  /// @param sizes     mesh size or time step of each value, decreasing; only their ratios matter
   /// @param reference NaN if there is none
-  ErrorEstimate estimate_errors(const std::vector<double> &values, double ratio, double reference);
+  ErrorEstimate estimate_errors(const std::vector<double> &values,
+                                const std::vector<double> &sizes, double reference);
 } // namespace semilunar
 
 #endif

@@ -13,6 +13,7 @@ namespace semilunar::output
   struct LevelRun
   {
     unsigned int level; ///< 0 is the coarsest
+    double size;        ///< mesh size or time step, only its ratio to other runs' matters
     RunResults results;
     Cost cost;
   };
@@ -27,8 +28,7 @@ namespace semilunar::output
   };
 
   /// The quantities that all runs have, with their errors.
-  /// @param ratio of mesh sizes or time steps from one run to the next
-  std::vector<QuantityStudy> study_quantities(const std::vector<LevelRun> &runs, double ratio);
+  std::vector<QuantityStudy> study_quantities(const std::vector<LevelRun> &runs);
 
   /// Write speed_vs_error.csv, a row for each quantity and run, and speed_vs_error.svg, relative
   /// errors over processor seconds. On the first rank; collective.

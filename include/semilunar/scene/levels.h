@@ -20,16 +20,19 @@ namespace semilunar::scene
     void add_parameters(dealii::ParameterHandler &prm);
   };
 
-  /// "Surface/Elements * 2": how an entry changes from one level to the next.
+  /// "Surface/Elements * 2" or "Surface/Elements: 4 | 6 | 9": how an entry changes from one level
+  /// to the next.
   struct Refinement
   {
     std::string entry;
-    char operation; ///< '*', '/' or '+'
-    double by;
+    char operation;                  ///< '*', '/', '+', or ':' for a list
+    double by;                       ///< of a list: nothing
+    std::vector<std::string> values; ///< of a list, one for each level
 
-    /// Ratio of mesh sizes or time steps from one level to the next.
-    double ratio() const;
-    /// Every number of the value refined @p level times; whole numbers stay whole if they must.
+    /// Mesh size or time step of a level, up to a factor.
+    double size(unsigned int level) const;
+    /// The entry's value at a level: of a list, the one given there; otherwise every number of the
+    /// value refined @p level times; whole numbers stay whole if they must.
     std::string apply(const std::string &value, unsigned int level, bool whole_numbers) const;
   };
 
