@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/archive.h>
 #include <semilunar/core/exceptions.h>
-#include <semilunar/core/first_rank.h>
 #include <semilunar/core/interrupt.h>
 #include <semilunar/mesh/quality.h>
 #include <semilunar/output/cell_numbers.h>
 #include <semilunar/output/flow_errors.h>
 #include <semilunar/output/wall_shear_stress.h>
+#include <semilunar/scene/flow_checkpoint.h>
 #include <semilunar/scene/flow_simulation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 
 namespace semilunar::scene
 {
@@ -35,7 +34,7 @@ namespace semilunar::scene
         mesh(mesh::make_mesh<dim>(prm.mesh, MPI_COMM_WORLD)),
         conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
         mapping(prm.flow.degree), solver(make_solver()),
-        companion(make_companion ? (check_rigid(), make_companion(*solver, *mesh)) : nullptr),
+        companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
         wall(solver->wall() ? std::make_unique<WallRecord<dim>>(prm.record, *mesh) : nullptr),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
@@ -47,7 +46,8 @@ namespace semilunar::scene
       return;
     checkpoints = std::make_unique<Checkpoints>(
         context.folder, prm.checkpoints,
-        "a flow on a coarse mesh of " + std::to_string(mesh->triangulation.n_cells(0)) + " cells");
+        "a flow on a coarse mesh of " + std::to_string(mesh->triangulation.n_cells(0)) + " cells" +
+            (companion ? " with " + companion->fit() : ""));
     add_to(*checkpoints);
   }
 
@@ -90,14 +90,6 @@ namespace semilunar::scene
       for (const double value : companion->row())
         all.push_back(value);
     return all;
-  }
-
-  template <int dim>
-  void FlowSimulation<dim>::check_rigid() const
-  {
-    if (solver->wall())
-      throw InputError("Mesh/Artery/Wall thickness", std::to_string(prm.mesh.artery.wall_thickness),
-                       "what is immersed in the blood needs rigid walls", "set it to 0");
   }
 
   template <int dim>
@@ -148,34 +140,16 @@ namespace semilunar::scene
     checkpoints.add_object("progress", progress);
     checkpoints.add_object("record", record);
     checkpoints.add_object("files", files);
+    if (companion)
+      companion->add_to(checkpoints);
     checkpoints.add_distributed(
-        "flow", [this](const std::filesystem::path &folder) { save_flow(folder); },
-        [this](const std::filesystem::path &folder) { load_flow(folder); });
-  }
-
-  template <int dim>
-  void FlowSimulation<dim>::save_flow(const std::filesystem::path &folder)
-  {
-    const std::vector<double> numbers = solver->save_state();
-    mesh->triangulation.save((folder / "mesh").string());
-    on_first_rank(
-        [&]()
+        "flow", [this](const std::filesystem::path &folder) { save_flow(*solver, *mesh, folder); },
+        [this](const std::filesystem::path &folder)
         {
-          std::ofstream file(folder / "numbers", std::ios::binary);
-          boost::archive::binary_oarchive(file) << numbers;
+          velocity_dofs.reset(); // its handler must not see the mesh change
+          load_flow(*solver, *mesh, folder);
+          renew_dofs();
         });
-  }
-
-  template <int dim>
-  void FlowSimulation<dim>::load_flow(const std::filesystem::path &folder)
-  {
-    velocity_dofs.reset();
-    mesh->triangulation.load((folder / "mesh").string());
-    std::vector<double> numbers;
-    std::ifstream file(folder / "numbers", std::ios::binary);
-    boost::archive::binary_iarchive(file) >> numbers;
-    solver->load_state(numbers);
-    renew_dofs();
   }
 
   template <int dim>
@@ -200,6 +174,8 @@ namespace semilunar::scene
   void FlowSimulation<dim>::go_on()
   {
     checkpoints->restore();
+    if (companion)
+      companion->forget_history();
     if (prm.flow.step_control == "fixed")
       progress.dt = prm.step; // a restart may change it
     record.go_on();
@@ -219,6 +195,8 @@ namespace semilunar::scene
     progress.n_nonlinear = context.results.newton_iterations;
     record.remember_size();
     checkpoints->write(context.results.steps, solver->time());
+    if (companion)
+      companion->forget_history();
     context.log.line("checkpoint at time " + std::to_string(solver->time()));
   }
 
@@ -322,6 +300,8 @@ namespace semilunar::scene
     velocity_dofs.reset();
     solver->refine();
     renew_dofs();
+    if (companion)
+      companion->forget_history();
     report_size();
   }
 

@@ -56,9 +56,6 @@ namespace semilunar::scene
     if (flow.dimension != 3)
       throw InputError("Dimension", std::to_string(flow.dimension), "a surface is in space",
                        "write 3; a mesh of one cell between slip boundaries is as good as a plane");
-    if (flow.adaptivity.interval > 0)
-      throw InputError("Mesh/Adaptivity/Interval", std::to_string(flow.adaptivity.interval),
-                       "the mesh of a flow with a shell is not refined", "set it to 0");
     if (exact_displacement.empty() != exact_velocity.empty())
       throw InputError("Exact solution/Shell velocity", exact_velocity,
                        "displacement and velocity belong together", "give both or none");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/archive.h>
 #include <semilunar/core/exceptions.h>
+#include <semilunar/scene/flow_checkpoint.h>
 #include <semilunar/scene/shell_companion.h>
 
 #include <algorithm>
@@ -55,7 +57,9 @@ namespace semilunar::scene
                 {shell ? &shell->motion : nullptr, surface, points, prm.section.mass_per_area()},
                 shell ? coupling::SurfacePoints()
                       : coupling::surface_points(surface, points, spline::positions(surface)),
-                prm.flow.flow, prm.coupling, context.timers)
+                prm.flow.flow, prm.coupling, context.timers),
+        files(shell ? std::make_unique<ShellOutput>(context.folder, shell->model, prm.vtu)
+                    : nullptr)
   {
     const auto *inside = shell ? coupled.shell_points() : coupled.rigid_points();
     if (inside->n_inside() == 0)
@@ -163,11 +167,8 @@ namespace semilunar::scene
 
   void ShellCompanion::write(const double time)
   {
-    if (!shell)
-      return;
-    if (!files)
-      files = std::make_unique<ShellOutput>(context.folder, shell->model, prm.vtu);
-    files->write(time, positions());
+    if (shell)
+      files->write(time, positions());
   }
 
   double ShellCompanion::displacement_error() const
@@ -191,5 +192,27 @@ namespace semilunar::scene
     results.quantities.push_back({"largest_power_imbalance", largest_imbalance, "-"});
     if (shell && displacement)
       results.quantities.push_back({"displacement_error_l2", displacement_error(), "cm^2"});
+  }
+
+  std::string ShellCompanion::fit() const
+  {
+    return "a surface of " + std::to_string(surface.elements.size()) + " elements and " +
+           std::to_string(n_unknowns()) + " equations";
+  }
+
+  void ShellCompanion::add_to(Checkpoints &checkpoints)
+  {
+    add_structure(checkpoints, coupled, shell ? &shell->motion : nullptr,
+                  shell ? &shell->model : nullptr);
+    checkpoints.add_object("largest-imbalance", largest_imbalance);
+    if (shell)
+      checkpoints.add_object("shell-files", *files);
+  }
+
+  void ShellCompanion::forget_history()
+  {
+    if (shell)
+      shell->model.equilibrium.forget_history();
+    coupled.forget_history();
   }
 } // namespace semilunar::scene

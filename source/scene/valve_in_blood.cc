@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/archive.h>
 #include <semilunar/core/exceptions.h>
-#include <semilunar/core/first_rank.h>
 #include <semilunar/core/units.h>
 #include <semilunar/mesh/quality.h>
+#include <semilunar/scene/flow_checkpoint.h>
 #include <semilunar/scene/valve_in_blood.h>
 #include <semilunar/valve/stent.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace semilunar::scene
 {
@@ -187,55 +186,16 @@ namespace semilunar::scene
 
   void ValveInBlood::add_to(Checkpoints &checkpoints)
   {
-    checkpoints.add(
-        "structure", [this](std::ostream &out) { save_structure(out); },
-        [this](std::istream &in) { load_structure(in); });
-    checkpoints.add_object("contact", *model->contact);
+    add_structure(checkpoints, *coupled, &shell, model.get());
+    checkpoints.add_object("last-step", last_dt);
     checkpoints.add_distributed(
-        "flow", [this](const std::filesystem::path &folder) { save_flow(folder); },
-        [this](const std::filesystem::path &folder) { load_flow(folder); });
-  }
-
-  void ValveInBlood::save_structure(std::ostream &out) const
-  {
-    const coupling::ShellInFlow::State state = shell.state();
-    boost::archive::binary_oarchive archive(out);
-    const coupling::PointNumbers numbers = coupled->numbers_of_points();
-    archive << state << numbers << coupled->multipliers() << last_dt;
-  }
-
-  void ValveInBlood::load_structure(std::istream &in)
-  {
-    coupling::ShellInFlow::State state;
-    coupling::PointNumbers numbers;
-    std::vector<double> multipliers;
-    boost::archive::binary_iarchive archive(in);
-    archive >> state >> numbers >> multipliers >> last_dt;
-    shell.set_state(state);
-    coupled->set_points(numbers, multipliers);
-  }
-
-  void ValveInBlood::save_flow(const std::filesystem::path &folder)
-  {
-    const std::vector<double> numbers = flow.save_state();
-    mesh->triangulation.save((folder / "mesh").string());
-    on_first_rank(
-        [&]()
+        "flow", [this](const std::filesystem::path &folder) { save_flow(flow, *mesh, folder); },
+        [this](const std::filesystem::path &folder)
         {
-          std::ofstream file(folder / "numbers", std::ios::binary);
-          boost::archive::binary_oarchive(file) << numbers;
+          velocity_dofs.reset(); // its handler must not see the mesh change
+          load_flow(flow, *mesh, folder);
+          renew_dofs();
         });
-  }
-
-  void ValveInBlood::load_flow(const std::filesystem::path &folder)
-  {
-    velocity_dofs.reset(); // its handler must not see the mesh change
-    mesh->triangulation.load((folder / "mesh").string());
-    std::vector<double> numbers;
-    std::ifstream file(folder / "numbers", std::ios::binary);
-    boost::archive::binary_iarchive(file) >> numbers;
-    flow.load_state(numbers);
-    renew_dofs();
   }
 
   void ValveInBlood::forget_history()

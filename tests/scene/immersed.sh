@@ -43,6 +43,23 @@ for name in velocity_error_l2 displacement_error_l2 pressure_error_l2; do
     failed "$name: $a on one rank, $b on two"
 done
 
+# Goes on from a checkpoint bit for bit, moving or rigid, on a mesh that adapts itself or not.
+goes_on() { # SCENE ARGUMENT...
+  local arguments=("$scenes/$1.prm" "${@:2}" --set "Checkpoints/Step interval=4")
+  expect 0 'done in' "${arguments[@]}" --output "whole-$1"
+  cp -r "whole-$1" "killed-$1"
+  rm "killed-$1/summary.json"
+  expect 0 'going on from step' "${arguments[@]}" --output "killed-$1" --restart
+  cmp -s "whole-$1/timeseries.csv" "killed-$1/timeseries.csv" || failed "$1 goes on otherwise"
+  cmp -s <(quantities "whole-$1") <(quantities "killed-$1") || failed "$1 ends otherwise"
+}
+goes_on spring-plate --set "Mesh/Box/Cells=16, 2, 2" --set Time/End=0.013 --set Time/Step=1e-3 \
+  --set Output/Interval=5e-3
+goes_on closed-disk --set "Mesh/Pipe/Cells along=8" --set Time/End=3e-3 \
+  --set Mesh/Adaptivity/Interval=3 --set "Mesh/Adaptivity/Largest number of cells=600"
+expect 1 'a surface of 16 elements' "$scenes/spring-plate.prm" --set "Mesh/Box/Cells=16, 2, 2" \
+  --set "Surface/Elements=3, 3" --set "Checkpoints/Step interval=4" --output whole-spring-plate --restart
+
 expect 1 'a surface is in space' "$scenes/spring-plate.prm" --set Dimension=2
 expect 1 'Surface: it lies outside of the mesh' "$scenes/closed-barrier.prm" \
   --set "Surface/Quadrilateral/Corners=9, 0, 0; 9, 1, 0; 9, 0, 1; 9, 1, 1"

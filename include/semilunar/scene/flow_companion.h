@@ -2,6 +2,7 @@
 #ifndef semilunar_scene_flow_companion_h
 #define semilunar_scene_flow_companion_h
 
+#include <semilunar/core/checkpoint.h>
 #include <semilunar/core/log.h>
 #include <semilunar/core/run_context.h>
 #include <semilunar/flow/flow_solver.h>
@@ -32,6 +33,13 @@ namespace semilunar::scene
     /// Write the state. Collective.
     virtual void write(double time) = 0;
     virtual void add_quantities(RunResults &results) const = 0;
+    /// What a checkpoint must have in common with it, in words.
+    virtual std::string fit() const = 0;
+    /// Tell checkpoints about the state; that of the flow is told afterwards.
+    virtual void add_to(Checkpoints &checkpoints) = 0;
+    /// From here on everything depends on what checkpoints hold alone, bit for bit: to be called
+    /// after one was written or restored, and when the mesh has changed. Collective.
+    virtual void forget_history() = 0;
   };
 
   /// Makes a companion of a flow that has not begun.

@@ -26,16 +26,11 @@ namespace semilunar::scene
 
   private:
     std::unique_ptr<flow::FlowSolver<dim>> make_solver();
-    /// @throws InputError for an elastic wall
-    void check_rigid() const;
     /// What the wall and the companion record in addition.
     std::vector<output::TimeSeries::Column> more_columns() const;
     std::vector<double> more_values(const flow::StepReport &report);
     void initialise();
     void add_to(Checkpoints &checkpoints);
-    /// The distributed part of a checkpoint: mesh and fields.
-    void save_flow(const std::filesystem::path &folder);
-    void load_flow(const std::filesystem::path &folder);
     void begin();
     void go_on();
     void save_if_due();

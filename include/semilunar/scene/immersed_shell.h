@@ -42,6 +42,7 @@ namespace semilunar::scene
     {
       return "Mesh/Refinements + 1; Surface/Elements * 2; Time/Step / 2";
     }
+    bool can_restart() const override { return true; }
     void check() const override { parameters.check(); }
     void run(RunContext &context) override;
 

@@ -25,6 +25,9 @@ namespace semilunar::scene
     std::vector<double> row() override;
     void write(double time) override;
     void add_quantities(RunResults &results) const override;
+    std::string fit() const override;
+    void add_to(Checkpoints &checkpoints) override;
+    void forget_history() override;
 
   private:
     /// What there is of a shell that can move.
@@ -49,7 +52,7 @@ namespace semilunar::scene
     coupling::FluidStructure coupled;
     coupling::CoupledReport last;
     double largest_imbalance = 0.;
-    std::unique_ptr<ShellOutput> files;
+    const std::unique_ptr<ShellOutput> files; ///< null: it is rigid
 
     void initialise();
     /// The equations' vector nearest to a field of the undeformed surface.

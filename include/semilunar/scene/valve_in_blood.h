@@ -85,10 +85,6 @@ namespace semilunar::scene
     unsigned int n_points_per_direction(const spline::Surface &surface) const;
     coupling::SurfacePoints stent_points() const;
     void renew_dofs();
-    void save_structure(std::ostream &out) const;
-    void load_structure(std::istream &in);
-    void save_flow(const std::filesystem::path &folder);
-    void load_flow(const std::filesystem::path &folder);
   };
 } // namespace semilunar::scene
 
