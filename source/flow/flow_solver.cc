@@ -108,7 +108,7 @@ namespace semilunar::flow
     if (equations.wall())
     {
       equations.wall()->start_step(bdf, nodes.old_positions(), nodes.older_positions());
-      move_with_wall(advecting);
+      move_with_wall(advecting, nodes.extrapolated(bdf.extrapolation));
     }
   }
 
@@ -157,6 +157,7 @@ namespace semilunar::flow
     const double volume =
         dealii::Utilities::MPI::sum(equations.cells().volume(), space.communicator());
     const double h = std::pow(volume / n_nodes, 1. / dim);
+    linear_solver.start_step();
     linear_solver.set_continuity_weight(prm.density * bdf.alpha[0] * h + prm.viscosity / h);
 
     equations.start_step({bdf, current.time, &history, nodes.velocity_if_moving()}, body_force);

@@ -58,8 +58,6 @@ namespace semilunar::flow
     Assert(!in_step, dealii::ExcMessage("The state is saved between steps."));
     transfer.prepare(transferred_state(nodes.moving()), true);
     linear_solver.reinit();
-    if (motion)
-      motion->forget_solution();
     std::vector<double> numbers = {current_time, old_dt, double(n_steps), double(nodes.moving()),
                                    double(equations.cells().accumulated_pressure() != nullptr)};
     for (const auto &[id, condition] : conditions.all())

@@ -2,6 +2,7 @@
 // Members of FlowSolver for an elastic wall and the mesh that follows it.
 #include <semilunar/core/exceptions.h>
 #include <semilunar/flow/flow_solver.h>
+#include <semilunar/flow/scaled_jacobian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +22,25 @@ namespace semilunar::flow
   }
 
   template <int dim>
-  void FlowSolver<dim>::move_with_wall(const Vector &velocity)
+  void FlowSolver<dim>::move_with_wall(const Vector &velocity, Vector positions)
   {
-    Timers::Scope scope(timers, "flow: mesh motion");
-    Vector positions(space.velocities());
-    positions.equ(1., equations.wall()->positions(velocity));
-    motion->solve(positions);
+    {
+      Timers::Scope scope(timers, "flow: mesh motion");
+      take_wall_positions(velocity, positions);
+      motion->solve(positions);
+      current.min_scaled_jacobian = min_scaled_jacobian(space, positions);
+    }
     move_mesh(positions);
-    current.min_scaled_jacobian = motion->min_scaled_jacobian(nodes.positions());
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::take_wall_positions(const Vector &velocity, Vector &positions) const
+  {
+    const Vector &found = equations.wall()->positions(velocity);
+    positions.zero_out_ghost_values();
+    for (const unsigned int node : equations.wall()->nodes().owned())
+      for (unsigned int c = 0; c < dim; ++c)
+        positions.local_element(dim * node + c) = found.local_element(dim * node + c);
   }
 
   template <int dim>
@@ -49,7 +61,7 @@ namespace semilunar::flow
     if (!equations.wall())
       return 0.;
     const double distance = distance_of_wall();
-    move_with_wall(state.velocity);
+    move_with_wall(state.velocity, nodes.positions());
     return distance;
   }
 
@@ -104,12 +116,8 @@ namespace semilunar::flow
   void FlowSolver<dim>::finish_wall()
   {
     current.interface_error = distance_of_wall();
-    Vector positions(space.velocities());
-    positions.equ(1., nodes.positions());
-    const Vector &found = equations.wall()->positions(state.velocity);
-    for (const unsigned int node : equations.wall()->nodes().owned())
-      for (unsigned int c = 0; c < dim; ++c)
-        positions.local_element(dim * node + c) = found.local_element(dim * node + c);
+    Vector positions = nodes.positions();
+    take_wall_positions(state.velocity, positions);
     nodes.move(positions, bdf);
   }
 
@@ -136,7 +144,8 @@ namespace semilunar::flow
 
 #define INSTANTIATE(dim)                                                                           \
   template void FlowSolver<dim>::reinit_motion();                                                  \
-  template void FlowSolver<dim>::move_with_wall(const Vector &);                                   \
+  template void FlowSolver<dim>::move_with_wall(const Vector &, Vector);                           \
+  template void FlowSolver<dim>::take_wall_positions(const Vector &, Vector &) const;              \
   template double FlowSolver<dim>::distance_of_wall() const;                                       \
   template double FlowSolver<dim>::follow_wall();                                                  \
   template void FlowSolver<dim>::start_from_old_state();                                           \

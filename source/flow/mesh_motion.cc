@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
 #include <semilunar/flow/mesh_motion.h>
-#include <semilunar/flow/tensor_kernel.h>
 #include <semilunar/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 
 namespace semilunar::flow
 {
@@ -25,8 +21,8 @@ namespace semilunar::flow
     constexpr double stiffening = 1.5;
     /// Of the material that the mesh is made of.
     constexpr double poisson_ratio = 0.3;
-    /// Of displacements, relative to what the wall does to them.
-    constexpr double tolerance = 1e-6;
+    /// Of forces, relative to what the wall does to them.
+    constexpr double tolerance = 1e-4;
 
     template <int dim>
     BoundaryConditions<dim> of_mesh(const BoundaryConditions<dim> &conditions)
@@ -46,24 +42,9 @@ namespace semilunar::flow
   MeshMotion<dim>::MeshMotion(const Spaces<dim> &spaces, const WallNodes<dim> &nodes,
                               const BoundaryConditions<dim> &conditions)
       : spaces(spaces), wall_nodes(nodes), conditions(of_mesh(conditions)),
-        element(dealii::FE_Q<dim>(1), dim), vertices(spaces.velocity_dofs().get_triangulation())
+        element(dealii::FE_Q<dim>(1), dim), vertices(spaces.velocity_dofs().get_triangulation()),
+        interpolation(spaces, nodes)
   {
-    const auto &points = spaces.velocity_dofs().get_fe().get_unit_support_points();
-    const auto order = dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(spaces.degree());
-    const dealii::FE_Q<dim> linear(1);
-    for (const unsigned int i : order)
-      for (unsigned int v = 0; v < dealii::GeometryInfo<dim>::vertices_per_cell; ++v)
-        vertex_weight.push_back(linear.shape_value(v, points[i]));
-  }
-
-  template <int dim>
-  unsigned int MeshMotion<dim>::node_of(const CellIterator &cell, const unsigned int vertex) const
-  {
-    const CellLane where = spaces.lane_of(cell->active_cell_index());
-    unsigned int node = 0, stride = spaces.degree();
-    for (unsigned int d = 0; d < dim; ++d, stride *= spaces.degree() + 1)
-      node += (vertex >> d & 1) * stride;
-    return spaces.velocity_nodes(where.batch)[node][where.lane];
   }
 
   template <int dim>
@@ -77,61 +58,78 @@ namespace semilunar::flow
     dealii::DoFTools::extract_locally_relevant_dofs(vertices, relevant);
     const auto partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
         vertices.locally_owned_dofs(), relevant, spaces.communicator());
-    solution.reinit(partitioner);
-    load.reinit(partitioner);
-    given.reinit(partitioner);
-    hanging.clear();
-    hanging.reinit(relevant);
-    dealii::DoFTools::make_hanging_node_constraints(vertices, hanging);
+    for (Vector *vector : {&solution, &given, &load})
+      vector->reinit(partitioner);
+    for (auto *set : {&hanging, &constraints})
+    {
+      set->clear();
+      set->reinit(relevant);
+      dealii::DoFTools::make_hanging_node_constraints(vertices, *set);
+    }
     hanging.close();
-    constraints.clear();
-    constraints.reinit(relevant);
+    number_vertices();
     set_constraints(faces);
+    find_dependent();
     assemble();
+    constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
+    interpolation.reinit(
+        [this](const CellLane &cell, const unsigned int v)
+        { return vertex_of_cell[(cell.batch * n_lanes + cell.lane) * n_vertices + v]; });
+  }
+
+  template <int dim>
+  void MeshMotion<dim>::number_vertices()
+  {
+    constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
+    node_of_vertex.assign(
+        (solution.locally_owned_size() + solution.get_partitioner()->n_ghost_indices()) / dim,
+        dealii::numbers::invalid_unsigned_int);
+    vertex_of_cell.assign(spaces.n_batches() * n_lanes * n_vertices, 0);
+    std::vector<Index> dofs(element.dofs_per_cell);
+    for (const auto &cell : vertices.active_cell_iterators())
+      if (!cell->is_artificial())
+      {
+        cell->get_dof_indices(dofs);
+        const CellLane where = spaces.lane_of(cell->active_cell_index());
+        for (unsigned int v = 0; v < n_vertices; ++v)
+        {
+          // The components of a vertex have subsequent numbers.
+          const unsigned int vertex = stored(dofs[element.component_to_system_index(0, v)]) / dim;
+          node_of_vertex[vertex] =
+              spaces.velocity_nodes(where.batch)[interpolation.node_at(v)][where.lane];
+          if (where.batch < spaces.n_batches())
+            vertex_of_cell[(where.batch * n_lanes + where.lane) * n_vertices + v] = vertex;
+        }
+      }
   }
 
   template <int dim>
   void MeshMotion<dim>::set_constraints(const BoundaryFaces<dim> &faces)
   {
-    dealii::DoFTools::make_hanging_node_constraints(vertices, constraints);
-    wall_vertices.clear();
     VelocityConstraints<dim> sliding;
     sliding.reinit(spaces, faces, conditions);
-    std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
-    std::vector<bool> done(solution.locally_owned_size() +
-                           solution.get_partitioner()->n_ghost_indices());
-    for (const auto &cell : vertices.active_cell_iterators())
-      if (!cell->is_artificial())
-      {
-        cell->get_dof_indices(dofs);
-        for (const unsigned int v : cell->vertex_indices())
-        {
-          const auto first = dofs[element.component_to_system_index(0, v)];
-          const unsigned int stored = solution.get_partitioner()->global_to_local(first);
-          const unsigned int node = node_of(cell, v);
-          if (done[stored] || constraints.is_constrained(first))
-            continue;
-          done[stored] = true;
-          typename VelocityConstraints<dim>::Entry fixed{};
-          fixed.n = dim;
-          if (wall_nodes.in_wall(node))
-          {
-            constrain(first, fixed);
-            if (stored < solution.locally_owned_size())
-              wall_vertices.emplace_back(stored, node);
-          }
-          else if (const auto *entry = sliding.of_node(node))
-            constrain(first, *entry);
-        }
-      }
+    typename VelocityConstraints<dim>::Entry fixed{};
+    fixed.n = dim;
+    of_wall.assign(node_of_vertex.size(), false);
+    for (unsigned int vertex = 0; vertex < node_of_vertex.size(); ++vertex)
+    {
+      const unsigned int node = node_of_vertex[vertex];
+      const Index first = solution.get_partitioner()->local_to_global(dim * vertex);
+      if (node == dealii::numbers::invalid_unsigned_int || hanging.is_constrained(first))
+        continue;
+      of_wall[vertex] = wall_nodes.in_wall(node);
+      if (of_wall[vertex])
+        constrain(first, fixed);
+      else if (const auto *entry = sliding.of_node(node))
+        constrain(first, *entry);
+    }
     constraints.close();
   }
 
   template <int dim>
-  void MeshMotion<dim>::constrain(const dealii::types::global_dof_index first,
+  void MeshMotion<dim>::constrain(const Index first,
                                   const typename VelocityConstraints<dim>::Entry &entry)
   {
-    // The components of a vertex have subsequent numbers.
     const auto pivot = [](const Tensor<1, dim> &a)
     {
       unsigned int largest = 0;
@@ -191,8 +189,56 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  typename MeshMotion<dim>::Entries MeshMotion<dim>::free_masters(const Index dof) const
+  {
+    if (!constraints.is_constrained(dof))
+      return {{stored(dof), 1.}};
+    Entries result;
+    for (const auto &[master, weight] : *constraints.get_constraint_entries(dof))
+      result.push_back({stored(master), weight});
+    return result;
+  }
+
+  template <int dim>
+  typename MeshMotion<dim>::Entries MeshMotion<dim>::wall_masters(const Index dof) const
+  {
+    Entries result;
+    if (!hanging.is_constrained(dof))
+    {
+      if (of_wall[stored(dof) / dim])
+        result.push_back({stored(dof), 1.});
+    }
+    else
+      for (const auto &[master, weight] : *hanging.get_constraint_entries(dof))
+        if (of_wall[stored(master) / dim])
+          result.push_back({stored(master), weight});
+    return result;
+  }
+
+  template <int dim>
+  void MeshMotion<dim>::find_dependent()
+  {
+    constrained.clear();
+    dependent.clear();
+    for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
+    {
+      const Index dof = solution.get_partitioner()->local_to_global(i);
+      if (!constraints.is_constrained(dof))
+        continue;
+      constrained.push_back(i);
+      if (of_wall[i / dim])
+        continue;
+      Entries masters = free_masters(dof);
+      for (const auto &entry : wall_masters(dof))
+        masters.push_back(entry);
+      dependent.add_row(i, masters);
+    }
+  }
+
+  template <int dim>
   void MeshMotion<dim>::assemble()
   {
+    multigrid.clear(); // before its matrix
     dealii::TrilinosWrappers::SparsityPattern pattern(vertices.locally_owned_dofs(),
                                                       spaces.communicator());
     dealii::DoFTools::make_sparsity_pattern(vertices, pattern, constraints, false,
@@ -202,32 +248,43 @@ namespace semilunar::flow
     const dealii::FE_Q<dim> scalar(1);
     dealii::FEValues<dim> values(scalar, dealii::QGauss<dim>(2),
                                  dealii::update_gradients | dealii::update_JxW_values);
-    cells_at_wall.clear();
-    give([](const unsigned int, const unsigned int) { return 1.; });
-    CellAtWall data;
-    data.dofs.resize(element.dofs_per_cell);
-    data.matrix.reinit(element.dofs_per_cell, element.dofs_per_cell);
+    std::vector<Index> dofs(element.dofs_per_cell);
+    dealii::FullMatrix<double> of_cell(element.dofs_per_cell, element.dofs_per_cell);
+    std::map<unsigned int, std::map<unsigned int, double>> forces;
     for (const auto &cell : vertices.active_cell_iterators())
       if (cell->is_locally_owned())
       {
-        cell->get_dof_indices(data.dofs);
+        cell->get_dof_indices(dofs);
         // Nothing couples the wall's vertices to others; they need a diagonal.
-        data.matrix = 0.;
         if (cell->material_id() == mesh::wall)
-          for (unsigned int i = 0; i < element.dofs_per_cell; ++i)
-            data.matrix(i, i) = 1.;
+          of_cell = dealii::IdentityMatrix(dofs.size());
         else
         {
           values.reinit(typename dealii::Triangulation<dim>::cell_iterator(cell));
-          cell_matrix(values, data.matrix);
+          cell_matrix(values, of_cell);
+          for (unsigned int j = 0; j < dofs.size(); ++j)
+            for (const auto &column : wall_masters(dofs[j]))
+              for (unsigned int i = 0; i < dofs.size(); ++i)
+                for (const auto &row : free_masters(dofs[i]))
+                  forces[row.index][column.index] -= row.weight * column.weight * of_cell(i, j);
         }
-        constraints.distribute_local_to_global(data.matrix, data.dofs, matrix);
-        const bool touches = std::any_of(data.dofs.begin(), data.dofs.end(),
-                                         [this](const auto dof) { return given(dof) != 0.; });
-        if (touches && cell->material_id() != mesh::wall)
-          cells_at_wall.push_back(data);
+        constraints.distribute_local_to_global(of_cell, dofs, matrix);
       }
     matrix.compress(dealii::VectorOperation::add);
+    force_of_wall.clear();
+    for (const auto &[row, columns] : forces)
+    {
+      Entries entries;
+      for (const auto &[column, force] : columns)
+        entries.push_back({column, force});
+      force_of_wall.add_row(row, entries);
+    }
+    make_multigrid();
+  }
+
+  template <int dim>
+  void MeshMotion<dim>::make_multigrid()
+  {
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
     options.elliptic = true;
     options.smoother_sweeps = 2;
@@ -237,37 +294,6 @@ namespace semilunar::flow
     multigrid.initialize(matrix, options);
   }
 
-  /// Values at the vertices of the wall, zero at others, with the hanging ones that follow from
-  /// both.
-  template <int dim>
-  template <class Value>
-  void MeshMotion<dim>::give(const Value &value)
-  {
-    given.zero_out_ghost_values();
-    given = 0.;
-    for (const auto &[first, node] : wall_vertices)
-      for (unsigned int c = 0; c < dim; ++c)
-        given.local_element(first + c) = value(node, c);
-    given.update_ghost_values();
-    hanging.distribute(given);
-    given.update_ghost_values();
-  }
-
-  template <int dim>
-  void MeshMotion<dim>::find_load()
-  {
-    load = 0.;
-    dealii::Vector<double> displacement(element.dofs_per_cell), force(element.dofs_per_cell);
-    for (const CellAtWall &cell : cells_at_wall)
-    {
-      for (unsigned int i = 0; i < displacement.size(); ++i)
-        displacement[i] = -given(cell.dofs[i]);
-      cell.matrix.vmult(force, displacement);
-      constraints.distribute_local_to_global(force, cell.dofs, load);
-    }
-    load.compress(dealii::VectorOperation::add);
-  }
-
   template <int dim>
   unsigned int MeshMotion<dim>::solve(Vector &positions)
   {
@@ -275,168 +301,58 @@ namespace semilunar::flow
     displacement.equ(1., positions);
     displacement.add(-1., reference);
     spaces.make_readable_velocity(displacement);
-    give([&displacement](const unsigned int node, const unsigned int c)
-         { return displacement.local_element(dim * node + c); });
-    find_load();
-    solution.zero_out_ghost_values();
-    constraints.set_zero(solution);
-    const double size = load.l2_norm();
-    unsigned int n = 0;
-    if (size > 0.)
+    for (Vector *vector : {&solution, &given, &load})
+      vector->zero_out_ghost_values();
+    given = 0.;
+    load = 0.;
+    for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
     {
-      dealii::SolverControl control(500, tolerance * size, false, false);
-      try
-      {
-        dealii::SolverCG<Vector>(control).solve(matrix, solution, load, multigrid);
-      }
-      catch (const dealii::SolverControl::NoConvergence &)
-      {
-        throw NumericsError("the equations of the mesh motion have not converged", "", "");
-      }
-      n = control.last_step();
+      solution.local_element(i) =
+          displacement.local_element(dim * node_of_vertex[i / dim] + i % dim);
+      if (of_wall[i / dim])
+        given.local_element(i) = solution.local_element(i);
     }
-    else
-      solution = 0.;
-    constraints.distribute(solution);
-    follow_vertices(displacement, positions);
+    given.update_ghost_values();
+    force_of_wall.template add<1>(given.begin(), load.begin());
+    load.compress(dealii::VectorOperation::add);
+    for (const unsigned int i : constrained)
+      solution.local_element(i) = 0.;
+    const unsigned int n = find_free_displacements();
+
+    // Free displacements and those of the wall, then what depends on them.
+    given.zero_out_ghost_values();
+    solution += given;
+    solution.update_ghost_values();
+    dependent.template set<1>(solution.begin(), solution.begin());
+    solution.update_ghost_values();
+    interpolation.apply(solution, displacement);
+    positions.zero_out_ghost_values();
+    displacement.zero_out_ghost_values();
+    positions.equ(1., reference);
+    positions.add(1., displacement);
+    spaces.make_readable_velocity(positions);
     return n;
   }
 
   template <int dim>
-  void MeshMotion<dim>::forget_solution()
+  unsigned int MeshMotion<dim>::find_free_displacements()
   {
-    solution.zero_out_ghost_values();
-    solution = 0.;
-  }
-
-  template <int dim>
-  void MeshMotion<dim>::follow_vertices(const Vector &wall_displacement, Vector &positions) const
-  {
-    // Displacements of vertices, then of all nodes of the lumen by linear interpolation.
-    solution.update_ghost_values();
-    constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
-    const unsigned int n_nodes = power(spaces.degree() + 1, dim);
-    Vector displacement(spaces.velocities());
-    displacement = wall_displacement;
-    spaces.make_readable_velocity(displacement);
-    std::vector<dealii::types::global_dof_index> dofs(element.dofs_per_cell);
-    for (const auto &cell : vertices.active_cell_iterators())
-      if (!cell->is_artificial() && cell->material_id() != mesh::wall)
-      {
-        cell->get_dof_indices(dofs);
-        Tensor<1, dim> of_vertex[n_vertices];
-        for (unsigned int v = 0; v < n_vertices; ++v)
-        {
-          for (unsigned int c = 0; c < dim; ++c)
-          {
-            const auto dof = dofs[element.component_to_system_index(c, v)];
-            of_vertex[v][c] = solution(dof) + given(dof);
-          }
-        }
-        const CellLane where = spaces.lane_of(cell->active_cell_index());
-        for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          const unsigned int node = spaces.velocity_nodes(where.batch)[i][where.lane];
-          if (node >= spaces.nodes()->locally_owned_size() || wall_nodes.in_wall(node))
-            continue;
-          Tensor<1, dim> sum;
-          for (unsigned int v = 0; v < n_vertices; ++v)
-            sum += vertex_weight[i * n_vertices + v] * of_vertex[v];
-          for (unsigned int c = 0; c < dim; ++c)
-            displacement.local_element(dim * node + c) = sum[c];
-        }
-      }
-    add_surplus(displacement);
-    positions.zero_out_ghost_values();
-    positions.equ(1., reference);
-    positions.add(1., displacement);
-    spaces.make_readable_velocity(positions);
-  }
-
-  /// What the interface does between its vertices is continued to the opposite faces of cells.
-  template <int dim>
-  void MeshMotion<dim>::add_surplus(Vector &displacement) const
-  {
-    constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
-    const unsigned int n = spaces.degree() + 1, n_nodes = power(n, dim);
-    const unsigned int n_owned = spaces.nodes()->locally_owned_size();
-    const auto points = nodes_1d(spaces.degree());
-    std::vector<double> found(n_owned, 0.); // cells that continue to a node
-    std::vector<Tensor<1, dim>> sum(n_owned);
-    for (unsigned int batch = 0; batch < spaces.n_batches(); ++batch)
-      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
-        for (unsigned int face = 0; face < 2 * dim; ++face)
-        {
-          const unsigned int d = face / 2, stride = power(n, d), end = (face % 2) * (n - 1);
-          const auto node = [&](const unsigned int i)
-          { return spaces.velocity_nodes(batch)[i][lane]; };
-          bool at_wall = true;
-          for (unsigned int i = 0; i < n_nodes && at_wall; ++i)
-            at_wall = i / stride % n != end || wall_nodes.in_wall(node(i));
-          if (!at_wall)
-            continue;
-          for (unsigned int i = 0; i < n_nodes; ++i)
-          {
-            const unsigned int along = i / stride % n, on_face = i + (end - along) * stride;
-            if (node(i) >= n_owned || wall_nodes.in_wall(node(i)))
-              continue;
-            const double share = face % 2 == 0 ? 1. - points[along][0] : points[along][0];
-            found[node(i)] += 1.;
-            for (unsigned int c = 0; c < dim; ++c)
-            {
-              double surplus = displacement.local_element(dim * node(on_face) + c);
-              for (unsigned int v = 0; v < n_vertices; ++v)
-                if (const double w = vertex_weight[on_face * n_vertices + v]; w != 0.)
-                {
-                  unsigned int corner = 0;
-                  for (unsigned int e = 0; e < dim; ++e)
-                    corner += (v >> e & 1) * (n - 1) * power(n, e);
-                  surplus -= w * displacement.local_element(dim * node(corner) + c);
-                }
-              sum[node(i)][c] += share * surplus;
-            }
-          }
-        }
-    for (unsigned int node = 0; node < n_owned; ++node)
-      if (found[node] > 0.)
-        for (unsigned int c = 0; c < dim; ++c)
-          displacement.local_element(dim * node + c) += sum[node][c] / found[node];
-  }
-
-  template <int dim>
-  double MeshMotion<dim>::min_scaled_jacobian(const Vector &positions) const
-  {
-    const unsigned int n = spaces.degree() + 1, n_nodes = power(n, dim);
-    const auto nodes = nodes_1d(spaces.degree());
-    const auto basis = dealii::Polynomials::generate_complete_Lagrange_basis(nodes);
-    std::vector<double> derivative, both(2); // [point][node]
-    for (unsigned int q = 0; q < n; ++q)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        basis[i].value(nodes[q][0], both);
-        derivative.push_back(both[1]);
-      }
-    double smallest = std::numeric_limits<double>::max();
-    for (unsigned int batch = 0; batch < spaces.n_owned_batches(); ++batch)
-      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
-        for (unsigned int q = 0; q < n_nodes; ++q)
-        {
-          Tensor<2, dim> columns;
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            const unsigned int stride = power(n, d), at = q / stride % n;
-            for (unsigned int i = 0; i < n; ++i)
-            {
-              const unsigned int node =
-                  spaces.velocity_nodes(batch)[q + i * stride - at * stride][lane];
-              for (unsigned int c = 0; c < dim; ++c)
-                columns[d][c] += derivative[at * n + i] * positions.local_element(dim * node + c);
-            }
-            columns[d] /= columns[d].norm();
-          }
-          smallest = std::min(smallest, determinant(columns));
-        }
-    return dealii::Utilities::MPI::min(smallest, spaces.communicator());
+    const double size = load.l2_norm();
+    if (size == 0.)
+    {
+      solution = 0.;
+      return 0;
+    }
+    dealii::SolverControl control(500, tolerance * size, false, false);
+    try
+    {
+      dealii::SolverCG<Vector>(control).solve(matrix, solution, load, multigrid);
+    }
+    catch (const dealii::SolverControl::NoConvergence &)
+    {
+      throw NumericsError("the equations of the mesh motion have not converged", "", "");
+    }
+    return control.last_step();
   }
 
   template class MeshMotion<2>;

@@ -62,6 +62,15 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  Vector MeshNodes<dim>::extrapolated(const double r) const
+  {
+    Vector result(spaces.velocities());
+    result.equ(1. + r, old);
+    result.add(-r, older);
+    return result;
+  }
+
+  template <int dim>
   void MeshNodes<dim>::reject_step()
   {
     now = old;

@@ -211,15 +211,15 @@ namespace semilunar::flow
         equations.faces().backflow_matrix(id, add);
     equations.points().matrix([this](const CellLane &cell, const double *entries)
                               { add_cell(cell, entries); });
-    if (wall)
-      separate_wall(equations.wall()->nodes(), equations.constraints(), *wall);
+    if (equations.wall())
+      separate_wall(equations.wall()->nodes(), equations.constraints(), wall);
     eliminate(equations.constraints());
   }
 
   template <int dim>
   void MomentumMatrix<dim>::separate_wall(const WallNodes<dim> &nodes,
                                           const VelocityConstraints<dim> &constraints,
-                                          WallMatrix<dim> &wall)
+                                          WallMatrix<dim> *wall)
   {
     of_interface.clear();
     interface_diagonal.clear();
@@ -229,8 +229,8 @@ namespace semilunar::flow
         const unsigned int j = matrix.column[k];
         if (nodes.in_wall(i) && nodes.in_wall(j))
         {
-          if (matrix.value[k] != 0.f)
-            wall.add(i, j, matrix.value[k]);
+          if (wall && matrix.value[k] != 0.f)
+            wall->add(i, j, matrix.value[k]);
           if (i == j && !constraints.fixed(i) && !spaces.velocity_hanging().hangs(i))
             interface_diagonal.emplace_back(i, matrix.value[k]);
         }

@@ -58,7 +58,25 @@ namespace semilunar::flow
     work.reinit(equations.spaces());
     basis.clear();
     directions.clear();
-    momentum_is_valid = schur_is_valid = false;
+    momentum_age.invalidate();
+    wall_age.invalidate();
+    schur_is_valid = false;
+    iterations_of_step = 0;
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::start_step()
+  {
+    if (iterations_of_step > 0)
+      for (FactorAge *age : {&momentum_age, &wall_age})
+        age->add_solution(iterations_of_step);
+    iterations_of_step = 0;
+  }
+
+  template <int dim>
+  bool SaddlePointSolver<dim>::due(const FactorAge &age) const
+  {
+    return age.unfit(equations.inertia()) || (iterations_of_step == 0 && age.stale());
   }
 
   template <int dim>
@@ -92,15 +110,11 @@ namespace semilunar::flow
   template <int dim>
   void SaddlePointSolver<dim>::prepare()
   {
-    // Refactorise when the equations have changed enough to cost a few iterations.
-    constexpr unsigned int max_age = 10, max_more = 2;
-    constexpr double max_change = 0.2;
-    const double inertia = equations.inertia();
-    const bool stale = age >= max_age || last_iterations > iterations_when_new + max_more ||
-                       std::abs(inertia - inertia_of_factors) > max_change * inertia;
-    if (momentum_is_valid && !stale)
+    const bool wall_due = wall && due(wall_age);
+    if (!due(momentum_age) && !wall_due)
       return;
-    assemble_momentum();
+    const double inertia = equations.inertia();
+    assemble_momentum(wall_due);
     // Above this CFL number the second V-cycle of equation (16) pays. The momentum matrix has only
     // the lumen in it: no elastic wall.
     constexpr double large_cfl = 2.;
@@ -108,9 +122,7 @@ namespace semilunar::flow
         !equations.wall() &&
         dealii::Utilities::MPI::max(equations.cells().largest_rates().advection,
                                     equations.spaces().communicator()) > large_cfl * inertia;
-    momentum_is_valid = true;
-    inertia_of_factors = inertia;
-    age = 0;
+    momentum_age.start(inertia);
     Timers::Scope scope(timers, "flow: Schur complement");
     if (!schur_is_valid)
       schur.build(equations, momentum.diagonal());
@@ -118,21 +130,22 @@ namespace semilunar::flow
   }
 
   template <int dim>
-  void SaddlePointSolver<dim>::assemble_momentum()
+  void SaddlePointSolver<dim>::assemble_momentum(const bool with_wall)
   {
-    if (wall)
+    if (with_wall)
     {
       Timers::Scope scope(timers, "flow: wall matrix");
       wall->assemble(equations.wall()->solid());
     }
     {
       Timers::Scope scope(timers, "flow: momentum matrix");
-      momentum.assemble(equations, wall.get());
+      momentum.assemble(equations, with_wall ? wall.get() : nullptr);
     }
-    if (wall)
+    if (with_wall)
     {
       Timers::Scope scope(timers, "flow: wall factorisation");
       wall->factorise(equations.constraints());
+      wall_age.start(equations.inertia());
     }
     Timers::Scope scope(timers, "flow: factorisation");
     ilu.factorise(momentum.rows());
@@ -207,10 +220,10 @@ namespace semilunar::flow
             "", "");
       n += iterate(x, r, target, prm.max_linear - n, size);
     }
-    if (age == 0)
-      iterations_when_new = n;
-    last_iterations = n;
-    ++age;
+    if (wall)
+      iterations_of_step += n;
+    else
+      momentum_age.add_solution(n);
     return n;
   }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <semilunar/core/exceptions.h>
 #include <semilunar/flow/tensor_kernel.h>
 #include <semilunar/flow/wall_matrix.h>
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 
@@ -21,7 +19,7 @@ namespace semilunar::flow
     for (unsigned int i = 0; i < owned.size(); ++i)
       number[owned[i]] = i;
     const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim);
-    dealii::DynamicSparsityPattern nodal(owned.size(), owned.size());
+    dealii::DynamicSparsityPattern pattern(owned.size(), owned.size());
     Masters masters;
     std::vector<dealii::types::global_dof_index> nodes;
     for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_wall(); ++batch)
@@ -38,30 +36,20 @@ namespace semilunar::flow
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         for (const auto row : nodes)
-          nodal.add_entries(row, nodes.begin(), nodes.end(), true);
+          pattern.add_entries(row, nodes.begin(), nodes.end(), true);
       }
     row_start.assign(1, 0);
     column.clear();
-    dealii::DynamicSparsityPattern all(dim * owned.size(), dim * owned.size());
     for (unsigned int i = 0; i < owned.size(); ++i)
     {
-      for (auto entry = nodal.begin(i); entry != nodal.end(i); ++entry)
-      {
-        column.push_back(entry->column());
-        for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d)
-            all.add(dim * i + c, dim * entry->column() + d);
-      }
+      for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
+        if (entry->column() >= i)
+          column.push_back(entry->column());
       row_start.push_back(column.size());
     }
     value.resize(column.size());
-    matrix.clear();
-    pattern.copy_from(all);
-    matrix.reinit(pattern);
-    source.clear();
-    for (const auto &entry : pattern)
-      source.push_back((find(entry.row() / dim, entry.column() / dim) - value.data()) * dim * dim +
-                       entry.row() % dim * dim + entry.column() % dim);
+    work.resize(dim * owned.size());
+    factors.clear();
   }
 
   template <int dim>
@@ -74,39 +62,46 @@ namespace semilunar::flow
   }
 
   template <int dim>
-  void WallMatrix<dim>::assemble(const WallForms<dim> &forms)
+  void WallMatrix<dim>::add_cell(const CellLane &cell, const Lanes *matrix)
   {
     const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim), n = dim * n_cell_nodes;
+    std::vector<Masters> masters(n_cell_nodes);
+    for (unsigned int i = 0; i < n_cell_nodes; ++i)
+      spaces.velocity_hanging().masters_of(spaces.velocity_nodes(cell.batch)[i][cell.lane],
+                                           masters[i]);
+    for (unsigned int i = 0; i < n_cell_nodes; ++i)
+      for (unsigned int j = 0; j < n_cell_nodes; ++j)
+      {
+        Block block;
+        for (int c = 0; c < dim; ++c)
+          for (int d = 0; d < dim; ++d)
+            block[c][d] = matrix[(i * dim + c) * n + j * dim + d][cell.lane];
+        for (const auto &row : masters[i])
+          for (const auto &col : masters[j])
+            if (number[row.node] >= 0 && number[col.node] >= number[row.node])
+              *find(number[row.node], number[col.node]) += row.weight * col.weight * block;
+      }
+  }
+
+  template <int dim>
+  void WallMatrix<dim>::assemble(const WallForms<dim> &forms)
+  {
     std::fill(value.begin(), value.end(), Block());
-    dealii::AlignedVector<Lanes> cell(n * n);
-    Masters rows, columns;
+    const unsigned int n = dim * power(spaces.degree() + 1, dim);
+    dealii::AlignedVector<Lanes> cells(n * n);
     for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_wall(); ++batch)
     {
-      forms.tangent_matrix(batch, cell.data());
-      const auto *nodes = spaces.velocity_nodes(batch);
+      forms.tangent_matrix(batch, cells.data());
       for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
-        for (unsigned int i = 0; i < n_cell_nodes; ++i)
-        {
-          spaces.velocity_hanging().masters_of(nodes[i][lane], rows);
-          for (unsigned int j = 0; j < n_cell_nodes; ++j)
-          {
-            spaces.velocity_hanging().masters_of(nodes[j][lane], columns);
-            Block block;
-            for (int c = 0; c < dim; ++c)
-              for (int d = 0; d < dim; ++d)
-                block[c][d] = cell[(i * dim + c) * n + j * dim + d][lane];
-            for (const auto &row : rows)
-              for (const auto &col : columns)
-                if (number[row.node] >= 0 && number[col.node] >= 0)
-                  *find(number[row.node], number[col.node]) += row.weight * col.weight * block;
-          }
-        }
+        add_cell({batch, lane}, cells.data());
     }
   }
 
   template <int dim>
   void WallMatrix<dim>::add(const unsigned int row, const unsigned int col, const double entry)
   {
+    if (number[row] < 0 || number[col] < number[row])
+      return;
     if (Block *block = find(number[row], number[col]))
       for (int c = 0; c < dim; ++c)
         (*block)[c][c] += entry;
@@ -116,9 +111,10 @@ namespace semilunar::flow
   void WallMatrix<dim>::eliminate(const VelocityConstraints<dim> &constraints)
   {
     using Entry = typename VelocityConstraints<dim>::Entry;
-    const auto projector = [](const Entry *entry)
+    const Block unit = dealii::unit_symmetric_tensor<dim>();
+    const auto projector = [&unit](const Entry *entry)
     {
-      Block P = dealii::unit_symmetric_tensor<dim>();
+      Block P = unit;
       if (entry)
         for (unsigned int d = 0; d < entry->n; ++d)
           P -= outer_product(entry->directions[d], entry->directions[d]);
@@ -135,10 +131,9 @@ namespace semilunar::flow
         if (!row && !col)
           continue;
         const double scale = trace(value[k]) / dim;
-        const Block right = projector(col);
-        value[k] = left * value[k] * right;
+        value[k] = left * value[k] * projector(col);
         if (column[k] == i)
-          value[k] += scale * (Block(dealii::unit_symmetric_tensor<dim>()) - left);
+          value[k] += scale * (unit - left);
       }
     }
   }
@@ -146,23 +141,25 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::factorise(const VelocityConstraints<dim> &constraints)
   {
-    if (wall_nodes.owned().empty())
+    const unsigned int n_nodes = wall_nodes.owned().size();
+    if (n_nodes == 0)
       return;
     eliminate(constraints);
-    std::size_t k = 0;
-    for (auto entry = matrix.begin(); entry != matrix.end(); ++entry, ++k)
-    {
-      const std::size_t within = source[k] % (dim * dim);
-      entry->value() = value[source[k] / (dim * dim)][within / dim][within % dim];
-    }
-    try
-    {
-      factors.factorize(matrix);
-    }
-    catch (const dealii::ExceptionBase &)
-    {
-      throw NumericsError("the matrix of the wall is singular", "", "");
-    }
+    // The rows of the upper triangle are the columns of the lower one.
+    typename SparseCholesky<Number>::Columns matrix;
+    matrix.start.push_back(0);
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (int c = 0; c < dim; ++c)
+      {
+        for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+          for (int d = column[k] == i ? c : 0; d < dim; ++d)
+          {
+            matrix.row.push_back(dim * column[k] + d);
+            matrix.value.push_back(value[k][c][d]);
+          }
+        matrix.start.push_back(matrix.row.size());
+      }
+    factors.factorise(matrix);
   }
 
   template <int dim>
@@ -171,11 +168,10 @@ namespace semilunar::flow
     const auto &owned = wall_nodes.owned();
     if (owned.empty())
       return;
-    dealii::Vector<double> work(dim * owned.size());
     for (unsigned int i = 0; i < owned.size(); ++i)
       for (int c = 0; c < dim; ++c)
         work[dim * i + c] = b.local_element(dim * owned[i] + c);
-    factors.solve(work);
+    factors.solve(work.data(), work.data());
     for (unsigned int i = 0; i < owned.size(); ++i)
       for (int c = 0; c < dim; ++c)
         x.local_element(dim * owned[i] + c) = work[dim * i + c];

@@ -126,7 +126,10 @@ namespace semilunar::flow
     void reinit_vectors();
     Vector positions_at(double time) const;
     /// Equation (7) of doc/theory/wall.md: the mesh with the wall where a velocity takes it.
-    void move_with_wall(const Vector &velocity);
+    /// @param positions a first guess of those of the other nodes
+    void move_with_wall(const Vector &velocity, Vector positions);
+    /// Put the nodes of the wall where a velocity takes them.
+    void take_wall_positions(const Vector &velocity, Vector &positions) const;
     double distance_of_wall() const;
     void iterate_geometry();
     void finish_wall();

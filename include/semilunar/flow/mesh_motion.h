@@ -2,8 +2,8 @@
 #ifndef semilunar_flow_mesh_motion_h
 #define semilunar_flow_mesh_motion_h
 
+#include <semilunar/flow/mesh_interpolation.h>
 #include <semilunar/flow/velocity_constraints.h>
-#include <semilunar/flow/wall_nodes.h>
 
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
@@ -31,32 +31,29 @@ namespace semilunar::flow
     void reinit(const Vector &reference, const BoundaryFaces<dim> &faces);
 
     /// Find the positions of all nodes from those of the wall's. Collective.
+    /// @param positions those of other nodes are a first guess
     /// @return iterations
     unsigned int solve(Vector &positions);
 
-    /// The next solution starts from zero, as it does in a run that goes on from a file.
-    void forget_solution();
-
-    /// Smallest scaled Jacobian at the vertices of the cells of the lumen (doc/theory/mesh.md).
-    /// Collective. @param positions readable
-    double min_scaled_jacobian(const Vector &positions) const;
-
   private:
-    using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+    using Index = dealii::types::global_dof_index;
+    using Entries = std::vector<SparseMap::Entry>;
 
+    void number_vertices();
     void set_constraints(const BoundaryFaces<dim> &faces);
-    void constrain(dealii::types::global_dof_index first,
-                   const typename VelocityConstraints<dim>::Entry &entry);
+    void constrain(Index first, const typename VelocityConstraints<dim>::Entry &entry);
+    void find_dependent();
     void assemble();
+    void make_multigrid();
+    unsigned int find_free_displacements();
     void cell_matrix(const dealii::FEValues<dim> &values, dealii::FullMatrix<double> &matrix) const;
-    template <class Value>
-    void give(const Value &value);
-    void find_load();
-    void follow_vertices(const Vector &displacement, Vector &positions) const;
-    void add_surplus(Vector &displacement) const;
-
-    /// Stored velocity node of a vertex of a cell.
-    unsigned int node_of(const CellIterator &cell, unsigned int vertex) const;
+    /// Displacements on which one depends: free ones; those of the wall.
+    Entries free_masters(Index dof) const;
+    Entries wall_masters(Index dof) const;
+    unsigned int stored(const Index dof) const
+    {
+      return solution.get_partitioner()->global_to_local(dof);
+    }
 
     const Spaces<dim> &spaces;
     const WallNodes<dim> &wall_nodes;
@@ -66,20 +63,17 @@ namespace semilunar::flow
     dealii::AffineConstraints<double> hanging, constraints;
     dealii::TrilinosWrappers::SparseMatrix matrix;
     dealii::TrilinosWrappers::PreconditionAMG multigrid;
-    Vector solution, given; ///< displacements of vertices: free ones, and what the wall gives
-    Vector load;
+    MeshInterpolation<dim> interpolation;
     Vector reference;
-
-    /// Owned vertices of the wall: number of the first component, velocity node.
-    std::vector<std::pair<unsigned int, unsigned int>> wall_vertices;
-    /// Cells of the lumen that touch the wall, with their matrices.
-    struct CellAtWall
-    {
-      std::vector<dealii::types::global_dof_index> dofs;
-      dealii::FullMatrix<double> matrix;
-    };
-    std::vector<CellAtWall> cells_at_wall;
-    std::vector<double> vertex_weight; ///< [lexicographic node][vertex]
+    // Of vertices, dim components each.
+    Vector solution, given; ///< displacements: all, and those of the wall alone
+    Vector load;
+    std::vector<unsigned int> node_of_vertex; ///< stored velocity node of a stored vertex
+    std::vector<bool> of_wall;                ///< stored vertices that do not hang
+    std::vector<unsigned int> vertex_of_cell; ///< [batch][lane][vertex], cells of the lumen
+    std::vector<unsigned int> constrained;    ///< owned entries, those of the wall included
+    SparseMap dependent;     ///< constrained displacements from those of free and wall's vertices
+    SparseMap force_of_wall; ///< loads on free vertices from displacements of the wall's
   };
 } // namespace semilunar::flow
 

@@ -29,6 +29,8 @@ namespace semilunar::flow
     /// uhat; zero on a mesh that does not move
     const Vector &velocity() const { return node_velocity; }
     const Vector *velocity_if_moving() const { return mesh_moves ? &node_velocity : nullptr; }
+    /// (1 + r) old - r older positions, owned entries
+    Vector extrapolated(double r) const;
     /// Of the positions now: isoparametric.
     const dealii::Mapping<dim> &mapping() const;
 

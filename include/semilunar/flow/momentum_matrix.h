@@ -20,7 +20,7 @@ namespace semilunar::flow
     void reinit();
 
     /// Assemble the state that the equations were linearised about.
-    /// @param wall gets the entries between nodes of the interface; nullptr: there is no wall
+    /// @param wall gets the entries between nodes of the interface, unless nullptr
     void assemble(const Equations<dim> &equations, WallMatrix<dim> *wall);
 
     const CompressedRows &rows() const { return matrix; }
@@ -42,7 +42,7 @@ namespace semilunar::flow
     float *find(unsigned int row, unsigned int column);
     void eliminate(const VelocityConstraints<dim> &constraints);
     void separate_wall(const WallNodes<dim> &nodes, const VelocityConstraints<dim> &constraints,
-                       WallMatrix<dim> &wall);
+                       WallMatrix<dim> *wall);
 
     /// Place in its row of each pair of nodes of a cell, or this if one of them hangs or belongs to
     /// another rank.

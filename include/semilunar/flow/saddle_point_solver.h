@@ -3,6 +3,7 @@
 #define semilunar_flow_saddle_point_solver_h
 
 #include <semilunar/core/timers.h>
+#include <semilunar/flow/factor_age.h>
 #include <semilunar/flow/momentum_matrix.h>
 #include <semilunar/flow/schur_preconditioner.h>
 
@@ -22,7 +23,10 @@ namespace semilunar::flow
     void reinit();
     /// What acts at points or the weights of marked cells have changed: factorise before the next
     /// solution.
-    void invalidate_momentum() { momentum_is_valid = false; }
+    void invalidate_momentum() { momentum_age.invalidate(); }
+
+    /// A time step begins.
+    void start_step();
 
     /// Norm of residuals with the weight of the continuity equation. Collective.
     double norm(const FlowVector &residual) const;
@@ -37,7 +41,8 @@ namespace semilunar::flow
 
   private:
     void prepare();
-    void assemble_momentum();
+    void assemble_momentum(bool with_wall);
+    bool due(const FactorAge &age) const;
     void precondition(FlowVector &z, const FlowVector &r) const;
     void remove_mean(Vector &pressure) const;
     /// GMRES until it starts again; size: norm of the residual r, then of what is left.
@@ -60,11 +65,14 @@ namespace semilunar::flow
     mutable FlowVector work;
     std::vector<FlowVector> basis, directions;
     double weight = 1.;
-    bool momentum_is_valid = false, schur_is_valid = false;
-    bool advection_rules = false;   ///< in the Schur complement, as of the last factorisation
-    double inertia_of_factors = 0.; ///< alpha_0 that the factors were made with
-    unsigned int age = 0;           ///< solutions since the last factorisation
-    unsigned int iterations_when_new = 0, last_iterations = 0;
+    bool schur_is_valid = false;
+    bool advection_rules = false; ///< in the Schur complement, as of the last factorisation
+    /// Age in solutions; with a wall, of which the first of a step is not like the others, in
+    /// steps.
+    FactorAge momentum_age = {10, 2};
+    /// Factors of the wall cost more than those of the momentum matrix.
+    FactorAge wall_age = {25, 4};
+    unsigned int iterations_of_step = 0; ///< with a wall
   };
 } // namespace semilunar::flow
 
