@@ -16,7 +16,7 @@ namespace semilunar::flow
 
   inline Lanes square_root(const Lanes &a)
   {
-    Lanes root;
+    Lanes root = {};
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
       root[lane] = std::sqrt(a[lane]);
     return root;
