@@ -59,18 +59,19 @@ namespace semilunar::flow
     older_pressure = state.at(1);
   }
 
-  PrescribedFlow::PrescribedFlow(std::function<double(double)> inflow, const double penalty)
-      : inflow(std::move(inflow)), penalty(penalty)
+  PrescribedFlow::PrescribedFlow(std::function<double(double)> inflow, const double inertance)
+      : inflow(std::move(inflow)), inertance(inertance)
   {
   }
 
-  Relation PrescribedFlow::relation(const Bdf &, const double time) const
+  Relation PrescribedFlow::relation(const Bdf &bdf, const double time) const
   {
-    return {lambda + penalty * inflow(time), penalty};
+    const double resistance = inertance * bdf.alpha[0];
+    return {lambda + resistance * inflow(time), resistance};
   }
 
-  void PrescribedFlow::accept(const Bdf &, const double time, const double flow_rate)
+  void PrescribedFlow::accept(const Bdf &bdf, const double time, const double flow_rate)
   {
-    lambda += penalty * (flow_rate + inflow(time));
+    lambda += inertance * bdf.alpha[0] * (flow_rate + inflow(time));
   }
 } // namespace semilunar::flow

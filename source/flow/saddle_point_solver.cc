@@ -56,6 +56,8 @@ namespace semilunar::flow
     if (wall)
       wall->reinit();
     work.reinit(equations.spaces());
+    response.reinit(equations.spaces());
+    outflow.reinit(equations.spaces().velocities());
     basis.clear();
     directions.clear();
     momentum_age.invalidate();
@@ -112,7 +114,11 @@ namespace semilunar::flow
   {
     const bool wall_due = wall && due(wall_age);
     if (!due(momentum_age) && !wall_due)
+    {
+      if (equations.is_moving())
+        prepare_balance(false);
       return;
+    }
     const double inertia = equations.inertia();
     assemble_momentum(wall_due);
     // Above this CFL number the second V-cycle of equation (16) pays. The momentum matrix has only
@@ -123,10 +129,54 @@ namespace semilunar::flow
         dealii::Utilities::MPI::max(equations.cells().largest_rates().advection,
                                     equations.spaces().communicator()) > large_cfl * inertia;
     momentum_age.start(inertia);
-    Timers::Scope scope(timers, "flow: Schur complement");
-    if (!schur_is_valid)
-      schur.build(equations, momentum.diagonal());
-    schur_is_valid = true;
+    {
+      Timers::Scope scope(timers, "flow: Schur complement");
+      if (!schur_is_valid)
+        schur.build(equations, momentum.diagonal());
+      schur_is_valid = true;
+    }
+    prepare_balance(true);
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::prepare_balance(const bool new_factors)
+  {
+    if (equations.conditions().closed())
+      return;
+    FlowVector source;
+    source.reinit(equations.spaces());
+    source.pressure = 1.;
+    equations.gradient(outflow, source.pressure);
+    if (new_factors)
+    {
+      schur.volume_source(source.pressure);
+      solve_blocks(response, source);
+    }
+    response_flow = outflow * response.velocity;
+  }
+
+  template <int dim>
+  double SaddlePointSolver<dim>::surplus(const FlowVector &z, const FlowVector &r) const
+  {
+    double sum = -product(outflow.begin(), z.velocity.begin(), outflow.locally_owned_size());
+    for (unsigned int i = 0; i < r.pressure.locally_owned_size(); ++i)
+      sum += r.pressure.local_element(i);
+    return dealii::Utilities::MPI::sum(sum, equations.spaces().communicator()) / response_flow;
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::start_balanced(FlowVector &x, FlowVector &r,
+                                              const FlowVector &b) const
+  {
+    // Where old states are extrapolated on a mesh at rest, nothing but rounding is out of balance.
+    constexpr double rounding = 1e-8; // of what single cells have too much or too little
+    const double factor = surplus(x, b);
+    if (std::abs(factor * response_flow) <= rounding * b.pressure.l1_norm())
+      return;
+    add(x, factor, response);
+    equations.vmult(r, x);
+    r.velocity.sadd(-1., 1., b.velocity);
+    r.pressure.sadd(-1., 1., b.pressure);
   }
 
   template <int dim>
@@ -171,6 +221,14 @@ namespace semilunar::flow
   template <int dim>
   void SaddlePointSolver<dim>::precondition(FlowVector &z, const FlowVector &r) const
   {
+    solve_blocks(z, r);
+    if (!equations.conditions().closed())
+      add(z, surplus(z, r), response);
+  }
+
+  template <int dim>
+  void SaddlePointSolver<dim>::solve_blocks(FlowVector &z, const FlowVector &r) const
+  {
     if (advection_rules)
       schur.vmult(z.pressure, r.pressure, momentum.rows());
     else
@@ -201,6 +259,8 @@ namespace semilunar::flow
     FlowVector r = b;
     if (equations.conditions().closed())
       remove_mean(r.pressure);
+    else
+      start_balanced(x, r, b);
     unsigned int n = 0;
     double size = norm(r);
     while (size > target)

@@ -272,6 +272,16 @@ namespace semilunar::flow
     multigrid.vmult(result, pressure);
   }
 
+  template <int dim>
+  void SchurPreconditioner<dim>::volume_source(Vector &result) const
+  {
+    for (unsigned int i = 0; i < inverse_mass.locally_owned_size(); ++i)
+    {
+      const double entry = inverse_mass.local_element(i);
+      result.local_element(i) = entry > 0. ? 1. / entry : 0.;
+    }
+  }
+
   template class SchurPreconditioner<2>;
   template class SchurPreconditioner<3>;
 } // namespace semilunar::flow

@@ -108,7 +108,7 @@ namespace semilunar::scene
           return std::make_shared<flow::PrescribedFlow>(
               from_list_or_table(name, prm.flow_rates, "Flow rates", prm.flow_rate_table,
                                  "Flow rate table", 1., kind),
-              prm.flow_rate_penalty);
+              prm.flow_rate_inertance);
         if (kind == "resistance")
           return std::make_shared<flow::Resistance>(
               number(value_for(name, prm.pressures, "Pressures", kind), constants,
@@ -166,9 +166,10 @@ namespace semilunar::scene
     prm.add_parameter("Flow rates", flow_rates,
                       "Into the mesh, 'NAME: Q; ...', expressions in t "
                       "[cm^3/s]");
-    prm.add_parameter("Flow rate penalty", flow_rate_penalty,
-                      "How hard the pressure of type flow rate works against a deviation "
-                      "[dyn s/cm^5], > 0",
+    prm.add_parameter("Flow rate inertance", flow_rate_inertance,
+                      "How hard the pressure of type flow rate works against a deviation, which is "
+                      "proportional to the square of the time step: about ten times rho L / A of "
+                      "what the blood flows through [g/cm^4], > 0",
                       positive_number());
     prm.enter_subsection("Pressure table");
     pressure_table.add_parameters(prm, "pressure of boundaries of type pressure that are not among "

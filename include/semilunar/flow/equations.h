@@ -55,6 +55,8 @@ namespace semilunar::flow
 
     /// alpha_0 of the step [1/s]
     double inertia() const { return step.bdf.alpha[0]; }
+    /// Whether the mesh moves in this step.
+    bool is_moving() const { return step.mesh_velocity != nullptr; }
     const Spaces<dim> &spaces() const { return space; }
     CellForms<dim> &cells() { return *forms; }
     const CellForms<dim> &cells() const { return *forms; }

@@ -84,14 +84,15 @@ namespace semilunar::flow
   };
 
   /// The uniform pressure that drives a given flow rate into the domain, by an augmented
-  /// Lagrangian: p = lambda + r (Q + inflow); after each step lambda becomes p. Exact for constant
-  /// inflow after a few steps; the error of a changing one is inversely proportional to r.
+  /// Lagrangian, equation (11): p = lambda + I alpha_0 (Q + inflow); after each step lambda becomes
+  /// p. Exact for constant inflow after a few steps; the error of a changing one is proportional to
+  /// the square of the time step and inversely proportional to I.
   class PrescribedFlow : public PressureModel
   {
   public:
-    /// @param inflow  rate into the domain [cm^3/s] over time [s]
-    /// @param penalty r [dyn s/cm^5]; large against rho L / (A dt) of the domain
-    PrescribedFlow(std::function<double(double)> inflow, double penalty);
+    /// @param inflow    rate into the domain [cm^3/s] over time [s]
+    /// @param inertance I [g/cm^4]; large against rho L / A of the domain
+    PrescribedFlow(std::function<double(double)> inflow, double inertance);
     Relation relation(const Bdf &bdf, double time) const override;
     void accept(const Bdf &bdf, double time, double flow_rate) override;
     std::vector<double> state() const override { return {lambda}; }
@@ -99,7 +100,7 @@ namespace semilunar::flow
 
   private:
     const std::function<double(double)> inflow;
-    const double penalty;
+    const double inertance;
     double lambda = 0.;
   };
 } // namespace semilunar::flow

@@ -10,8 +10,9 @@
 namespace semilunar::flow
 {
   /// Flexible GMRES for velocity and pressure together, right preconditioned with the block
-  /// triangular matrix of equation (14). What it is preconditioned with is kept as long as that
-  /// pays.
+  /// triangular matrix of equation (14) and the correction (17), with which the flow through the
+  /// boundary balances to rounding, whatever the tolerance. What it is preconditioned with is kept
+  /// as long as that pays.
   template <int dim>
   class SaddlePointSolver
   {
@@ -44,6 +45,15 @@ namespace semilunar::flow
     void assemble_momentum(bool with_wall);
     bool due(const FactorAge &age) const;
     void precondition(FlowVector &z, const FlowVector &r) const;
+    /// Equation (14).
+    void solve_blocks(FlowVector &z, const FlowVector &r) const;
+    /// Make what equation (17) needs of the current mesh and factors. Collective.
+    void prepare_balance(bool new_factors);
+    /// The surplus of volume of r that z leaves, 1^T r_p - g^T z_u, as multiple of the response to
+    /// a uniform source. Collective.
+    double surplus(const FlowVector &z, const FlowVector &r) const;
+    /// x = the response that balances b, r = b - J x. Collective.
+    void start_balanced(FlowVector &x, FlowVector &r, const FlowVector &b) const;
     void remove_mean(Vector &pressure) const;
     /// GMRES until it starts again; size: norm of the residual r, then of what is left.
     unsigned int iterate(FlowVector &x, const FlowVector &r, double target,
@@ -63,6 +73,9 @@ namespace semilunar::flow
     Ilu ilu;
     SchurPreconditioner<dim> schur;
     mutable FlowVector work;
+    Vector outflow;            ///< g of equation (17): outflow of the free velocities
+    FlowVector response;       ///< y of equation (17)
+    double response_flow = 0.; ///< g^T y_u
     std::vector<FlowVector> basis, directions;
     double weight = 1.;
     bool schur_is_valid = false;

@@ -25,6 +25,9 @@ namespace semilunar::flow
     /// Equation (16). @param momentum the current one
     void vmult(Vector &result, const Vector &residual, const CompressedRows &momentum) const;
 
+    /// What a source of volume adds to the continuity equation: the diagonal of M of equation (15).
+    void volume_source(Vector &result) const;
+
     bool empty() const { return gradient.m() == 0; }
 
   private:

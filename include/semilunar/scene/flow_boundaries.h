@@ -16,7 +16,7 @@ namespace semilunar::scene
   {
     std::string types;
     std::string velocities, tractions, pressures, resistances, windkessels, flow_rates;
-    double flow_rate_penalty = 1e4; ///< [dyn s/cm^5]
+    double flow_rate_inertance = 30.; ///< [g/cm^4]
     TimeTableParameters pressure_table, flow_rate_table;
 
     void add_parameters(dealii::ParameterHandler &prm);
