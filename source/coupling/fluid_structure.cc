@@ -362,6 +362,8 @@ namespace semilunar::coupling
       report.force_on_shell[d] = sums[2 + d];
       report.force_on_rigid[d] = sums[5 + d];
     }
+    if (shell)
+      report.force_on_supports = report.force_on_shell - shell->momentum_rate(y);
     if (prm.incompressibility > 0.)
       flow.cells().accumulate_divergence(flow.velocity());
     report.flow = flow.accept_step();

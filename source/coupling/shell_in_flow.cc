@@ -129,6 +129,16 @@ namespace semilunar::coupling
     return 0.5 * (v * momentum);
   }
 
+  Tensor<1, 3> ShellInFlow::momentum_rate(const Vector &y) const
+  {
+    Vector acceleration = v_history;
+    acceleration.add(bdf.alpha[0], velocity(y));
+    Tensor<1, 3> sum;
+    for (const Tensor<1, 3> &momentum : mass.momentum(expand(acceleration)))
+      sum += momentum;
+    return sum;
+  }
+
   ControlVectors ShellInFlow::expand(const Vector &vector) const
   {
     ControlVectors result;

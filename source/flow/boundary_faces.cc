@@ -279,6 +279,36 @@ namespace semilunar::flow
       }
   }
 
+  template <int dim>
+  void BoundaryFaces<dim>::add_lumen_normals(const Id id, const double factor, Vector &vector) const
+  {
+    const Part &part = part_of_id.at(id);
+    for (unsigned int f = 0; f < n_faces(part); ++f)
+      if (part.face_cell[f].batch < spaces.n_batches())
+        for (unsigned int q = 0; q < n_points; ++q)
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              vector.local_element(dim * part.face_nodes[f * n_nodes + i] + c) +=
+                  factor * shape[q * n_nodes + i] * part.face_area[f * n_points + q][c];
+  }
+
+  template <int dim>
+  std::vector<double> BoundaryFaces<dim>::mass_matrices(const Id id) const
+  {
+    const Part &part = part_of_id.at(id);
+    std::vector<double> result(n_faces(part) * n_nodes * n_nodes, 0.);
+    for (unsigned int f = 0; f < n_faces(part); ++f)
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const double area = part.face_area[f * n_points + q].norm();
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int j = 0; j < n_nodes; ++j)
+            result[(f * n_nodes + i) * n_nodes + j] +=
+                area * shape[q * n_nodes + i] * shape[q * n_nodes + j];
+      }
+    return result;
+  }
+
   template class BoundaryFaces<2>;
   template class BoundaryFaces<3>;
 } // namespace semilunar::flow

@@ -31,6 +31,16 @@ namespace semilunar::flow
         throw InputError("boundary " + std::to_string(id), "", "has no condition",
                          "give one for each part of the boundary of the flow mesh");
     point_terms.set({});
+    if (wall_equations && wall_equations->parameters().has_support())
+    {
+      boundary.update_geometry(reference);
+      wall_equations->reinit_support(boundary, bc.supported(), reference);
+    }
+    if (wall_equations && wall_equations->parameters().prestress != 0.)
+    {
+      update_geometry(reference);
+      wall_equations->balance_pressure(*forms, boundary, fixed, reference);
+    }
     update_geometry(positions);
   }
 

@@ -165,7 +165,14 @@ namespace semilunar::flow
     first_guess();
     // Residuals below this are rounding of inertia, viscous forces and pressure.
     constexpr double rounding = 1e-12;
-    return rounding * ((prm.density * bdf.alpha[0] + prm.viscosity / (h * h)) *
+    // Strains of the wall are differences of positions, of which a hundredth of that is rounding.
+    constexpr double of_positions = 1e-2;
+    const double stiffness = equations.wall()
+                                 ? equations.wall()->parameters().youngs_modulus *
+                                       nodes.positions().linfty_norm() * std::pow(h, dim - 2)
+                                 : 0.;
+    return rounding * (of_positions * stiffness +
+                       (prm.density * bdf.alpha[0] + prm.viscosity / (h * h)) *
                            old_state.velocity.l2_norm() * volume / n_nodes +
                        old_state.pressure.l2_norm() * std::pow(h, dim - 1) +
                        equations.open_load(state.velocity));

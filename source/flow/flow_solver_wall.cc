@@ -93,6 +93,19 @@ namespace semilunar::flow
       add_linear_solution(share * linear_target);
       equations.residual(state, residual);
     }
+    check_wall();
+  }
+
+  template <int dim>
+  void FlowSolver<dim>::check_wall() const
+  {
+    const auto &solid = equations.wall()->solid();
+    const double smallest = dealii::Utilities::MPI::min(
+        solid.smallest_determinant(equations.wall()->positions(state.velocity)),
+        space.communicator());
+    if (!(smallest > 0.))
+      throw NumericsError("cells of the wall are turned over",
+                          "t = " + std::to_string(current.time), "");
   }
 
   template <int dim>
@@ -142,6 +155,18 @@ namespace semilunar::flow
     return dealii::Utilities::MPI::sum(sum, space.communicator());
   }
 
+  template <int dim>
+  Tensor<1, dim> FlowSolver<dim>::force_of_holds()
+  {
+    equations.unmasked_residual(state, residual, true);
+    Tensor<1, dim> sum;
+    for (const unsigned int node : equations.held())
+      if (node < space.nodes()->locally_owned_size() && !space.velocity_hanging().hangs(node))
+        for (unsigned int c = 0; c < dim; ++c)
+          sum[c] += residual.velocity.local_element(dim * node + c);
+    return dealii::Utilities::MPI::sum(sum, space.communicator());
+  }
+
 #define INSTANTIATE(dim)                                                                           \
   template void FlowSolver<dim>::reinit_motion();                                                  \
   template void FlowSolver<dim>::move_with_wall(const Vector &, Vector);                           \
@@ -149,8 +174,10 @@ namespace semilunar::flow
   template double FlowSolver<dim>::distance_of_wall() const;                                       \
   template double FlowSolver<dim>::follow_wall();                                                  \
   template void FlowSolver<dim>::start_from_old_state();                                           \
+  template void FlowSolver<dim>::check_wall() const;                                               \
   template void FlowSolver<dim>::iterate_in_wall();                                                \
   template void FlowSolver<dim>::iterate_geometry();                                               \
+  template Tensor<1, dim> FlowSolver<dim>::force_of_holds();                                       \
   template void FlowSolver<dim>::finish_wall();                                                    \
   template Tensor<1, dim> FlowSolver<dim>::force_on_blood(const std::vector<Id> &, bool)
   INSTANTIATE(2);

@@ -186,6 +186,9 @@ namespace semilunar::flow
     {
       Timers::Scope scope(timers, "flow: wall matrix");
       wall->assemble(equations.wall()->solid());
+      equations.wall()->support_matrix(
+          [this](const unsigned int row, const unsigned int column, const double entry)
+          { wall->add(row, column, entry); });
     }
     {
       Timers::Scope scope(timers, "flow: momentum matrix");

@@ -190,7 +190,8 @@ namespace semilunar::flow
     const double curvature = dim == 3 ? sums[0] / (2. * sums[2]) : 0.;
     const double hoop = solid.youngs_modulus * thickness * curvature * curvature /
                         (1. - solid.poisson_ratio * solid.poisson_ratio);
-    const double impedance = thickness * solid.density * (alpha + solid.damping) + hoop / alpha;
+    const double impedance = thickness * solid.density * (alpha + solid.damping) + hoop / alpha +
+                             (wall.has_support() ? wall.support_impedance() : 0.);
     std::vector<double> result = of_lumen;
     for (unsigned int node = 0; node < result.size(); ++node)
       result[node] += impedance * of_node[node];

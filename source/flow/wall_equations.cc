@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/units.h>
 #include <semilunar/flow/wall_equations.h>
+#include <semilunar/flow/wall_prestress.h>
 
 namespace semilunar::flow
 {
@@ -17,6 +19,29 @@ namespace semilunar::flow
     forms->set_reference(reference);
     past.reinit(spaces.velocities());
     moved.reinit(spaces.velocities());
+  }
+
+  template <int dim>
+  void WallEquations<dim>::reinit_support(const BoundaryFaces<dim> &faces,
+                                          const std::set<dealii::types::boundary_id> &ids,
+                                          const Vector &reference)
+  {
+    support = std::make_unique<WallSupport<dim>>(spaces);
+    support->reinit(faces, ids);
+    for (Vector *vector : {&rest, &support_values})
+      vector->reinit(spaces.velocities());
+    rest = reference;
+  }
+
+  template <int dim>
+  void WallEquations<dim>::balance_pressure(const CellForms<dim> &cells,
+                                            const BoundaryFaces<dim> &faces,
+                                            const VelocityConstraints<dim> &constraints,
+                                            const Vector &reference)
+  {
+    prestress(spaces, wall_nodes, constraints,
+              pressure_load(spaces, wall_nodes, cells, faces, mmHg * prm.prestress), reference, prm,
+              *forms);
   }
 
   template <int dim>
@@ -51,7 +76,23 @@ namespace semilunar::flow
   void WallEquations<dim>::add_residual(const Vector &velocity, const Vector &history,
                                         Vector &momentum) const
   {
-    forms->add_residual(positions(velocity), velocity, history, bdf.alpha[0], momentum);
+    const Vector &x = positions(velocity);
+    forms->add_residual(x, velocity, history, bdf.alpha[0], momentum);
+    if (!support)
+      return;
+    support_values.zero_out_ghost_values();
+    support_values.equ(prm.support_stiffness, x);
+    support_values.add(-prm.support_stiffness, rest, prm.support_damping, velocity);
+    spaces.make_readable_velocity(support_values);
+    support->add(1., support_values, momentum);
+  }
+
+  template <int dim>
+  void WallEquations<dim>::add_jacobian(const Vector &velocity, Vector &momentum) const
+  {
+    forms->add_jacobian(velocity, momentum);
+    if (support)
+      support->add(support_impedance(), velocity, momentum);
   }
 
   template class WallEquations<2>;

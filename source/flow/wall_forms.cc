@@ -23,6 +23,7 @@ namespace semilunar::flow
       }
 
       void set_reference(const Vector &positions) override;
+      void set_prestress(const Vector &displacement) override;
       void linearise(const Vector &positions, double inertia) override;
       void add_residual(const Vector &positions, const Vector &velocity, const Vector &history,
                         double inertia, Vector &momentum) const override;
@@ -57,9 +58,17 @@ namespace semilunar::flow
       void set_flux(const Matrix &stress, int q, const GeometryPoint &point,
                     Gradients &fluxes) const;
       void tangent_tensor(const Matrix &F, Lanes (&tensor)[dim][dim][dim][dim]) const;
+      /// P += F S0, or the same of their changes; nothing without a prestress.
+      void add_prestress(unsigned int batch, int q, const Matrix &F, Matrix &P) const;
+      /// S0 : E, zero without a prestress.
+      Lanes prestress_energy(unsigned int batch, int q, const Matrix &F) const;
+      std::size_t point_number(const unsigned int batch, const int q) const
+      {
+        return std::size_t(batch - spaces.n_batches()) * n_points + q;
+      }
       const GeometryPoint &geometry(const unsigned int batch, const int q) const
       {
-        return geometry_points[std::size_t(batch - spaces.n_batches()) * n_points + q];
+        return geometry_points[point_number(batch, q)];
       }
       /// Calls visit(batch, q, F) at the points of owned cells.
       template <class Visit>
@@ -71,7 +80,9 @@ namespace semilunar::flow
       const WallMaterial<dim> material;
       const Kernel kernel;
       std::vector<GeometryPoint> geometry_points;
-      std::vector<std::array<std::array<Lanes, dim>, dim>> deformation; ///< F, [batch][point]
+      using StoredMatrix = std::array<std::array<Lanes, dim>, dim>;
+      std::vector<StoredMatrix> deformation; ///< F, [batch][point]
+      std::vector<StoredMatrix> prestress;   ///< S0; empty: there is none
       double inertia = 0.;
     };
 
@@ -147,6 +158,7 @@ namespace semilunar::flow
     void WallFormsOfDegree<dim, degree>::set_reference(const Vector &positions)
     {
       geometry_points.resize(std::size_t(spaces.end_of_wall() - spaces.n_batches()) * n_points);
+      prestress.clear();
       double smallest = 1.;
       for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_wall(); ++batch)
       {
@@ -160,7 +172,7 @@ namespace semilunar::flow
           for (int c = 0; c < dim; ++c)
             for (int d = 0; d < dim; ++d)
               jacobian[c][d] = dx[c][d][q];
-          auto &point = geometry_points[std::size_t(batch - spaces.n_batches()) * n_points + q];
+          auto &point = geometry_points[point_number(batch, q)];
           const Lanes det = invert(jacobian, point.inverse);
           point.jxw = det * kernel.weights()[q];
           for (unsigned int lane = 0; lane < n_lanes; ++lane)
@@ -195,19 +207,69 @@ namespace semilunar::flow
     }
 
     template <int dim, int degree>
+    void WallFormsOfDegree<dim, degree>::set_prestress(const Vector &displacement)
+    {
+      prestress.resize(geometry_points.size());
+      Matrix unit = {};
+      for (int i = 0; i < dim; ++i)
+        unit[i][i] = Lanes{} + 1.;
+      const typename WallMaterial<dim>::Tangent at_rest(material, unit);
+      for_deformation_gradients(displacement, spaces.end_of_wall(),
+                                [&](const unsigned int batch, const int q, const Matrix &gradient)
+                                {
+                                  Matrix stress;
+                                  at_rest.apply(gradient, stress);
+                                  auto &stored = prestress[point_number(batch, q)];
+                                  for (int I = 0; I < dim; ++I)
+                                    for (int J = 0; J < dim; ++J)
+                                      stored[I][J] = stress[I][J];
+                                });
+    }
+
+    template <int dim, int degree>
+    void WallFormsOfDegree<dim, degree>::add_prestress(const unsigned int batch, const int q,
+                                                       const Matrix &F, Matrix &P) const
+    {
+      if (prestress.empty())
+        return;
+      const StoredMatrix &S = prestress[point_number(batch, q)];
+      for (int i = 0; i < dim; ++i)
+        for (int J = 0; J < dim; ++J)
+          for (int K = 0; K < dim; ++K)
+            P[i][J] += F[i][K] * S[K][J];
+    }
+
+    template <int dim, int degree>
+    Lanes WallFormsOfDegree<dim, degree>::prestress_energy(const unsigned int batch, const int q,
+                                                           const Matrix &F) const
+    {
+      Lanes sum = Lanes{};
+      if (prestress.empty())
+        return sum;
+      const StoredMatrix &S = prestress[point_number(batch, q)];
+      for (int I = 0; I < dim; ++I)
+      {
+        sum -= 0.5 * S[I][I];
+        for (int J = 0; J < dim; ++J)
+          for (int i = 0; i < dim; ++i)
+            sum += 0.5 * S[I][J] * F[i][I] * F[i][J];
+      }
+      return sum;
+    }
+
+    template <int dim, int degree>
     void WallFormsOfDegree<dim, degree>::linearise(const Vector &positions, const double alpha)
     {
       inertia = alpha;
       deformation.resize(geometry_points.size());
-      for_deformation_gradients(
-          positions, spaces.end_of_wall(),
-          [this](const unsigned int batch, const int q, const Matrix &F)
-          {
-            auto &stored = deformation[std::size_t(batch - spaces.n_batches()) * n_points + q];
-            for (int i = 0; i < dim; ++i)
-              for (int J = 0; J < dim; ++J)
-                stored[i][J] = F[i][J];
-          });
+      for_deformation_gradients(positions, spaces.end_of_wall(),
+                                [this](const unsigned int batch, const int q, const Matrix &F)
+                                {
+                                  auto &stored = deformation[point_number(batch, q)];
+                                  for (int i = 0; i < dim; ++i)
+                                    for (int J = 0; J < dim; ++J)
+                                      stored[i][J] = F[i][J];
+                                });
     }
 
     template <int dim, int degree>
@@ -234,6 +296,7 @@ namespace semilunar::flow
           Matrix F, P;
           gradient_at(dx, q, point, F);
           material.stress(F, P);
+          add_prestress(batch, q, F, P);
           set_flux(P, q, point, dx);
           const Lanes mass = prm.density * point.jxw;
           for (int c = 0; c < dim; ++c)
@@ -258,13 +321,14 @@ namespace semilunar::flow
         for (int q = 0; q < n_points; ++q)
         {
           const GeometryPoint &point = geometry(batch, q);
-          const auto &stored = deformation[std::size_t(batch - spaces.n_batches()) * n_points + q];
+          const auto &stored = deformation[point_number(batch, q)];
           Matrix F, dF, dP;
           for (int i = 0; i < dim; ++i)
             for (int J = 0; J < dim; ++J)
               F[i][J] = stored[i][J];
           gradient_at(du, q, point, dF);
           typename WallMaterial<dim>::Tangent(material, F).apply(dF, dP);
+          add_prestress(batch, q, dF, dP);
           for (int c = 0; c < dim; ++c)
           {
             u[c][q] *= mass * point.jxw;
@@ -306,13 +370,18 @@ namespace semilunar::flow
       for (int q = 0; q < n_points; ++q)
       {
         const GeometryPoint &point = geometry(batch, q);
-        const auto &stored = deformation[std::size_t(batch - spaces.n_batches()) * n_points + q];
+        const auto &stored = deformation[point_number(batch, q)];
         Matrix F;
         for (int i = 0; i < dim; ++i)
           for (int J = 0; J < dim; ++J)
             F[i][J] = stored[i][J];
         Lanes tensor[dim][dim][dim][dim], gradient[n_nodes][dim];
         tangent_tensor(F, tensor);
+        if (!prestress.empty())
+          for (int i = 0; i < dim; ++i)
+            for (int J = 0; J < dim; ++J)
+              for (int L = 0; L < dim; ++L)
+                tensor[i][J][i][L] += prestress[point_number(batch, q)][L][J];
         double value[n_nodes];
         for (int i = 0; i < n_nodes; ++i)
         {
@@ -369,10 +438,13 @@ namespace semilunar::flow
         for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
           target += value[lane];
       };
-      for_deformation_gradients(
-          positions, spaces.end_of_owned_wall(),
-          [&](const unsigned int batch, const int q, const Matrix &F)
-          { add(batch, sum.strain, geometry(batch, q).jxw * material.energy(F)); });
+      for_deformation_gradients(positions, spaces.end_of_owned_wall(),
+                                [&](const unsigned int batch, const int q, const Matrix &F)
+                                {
+                                  add(batch, sum.strain,
+                                      geometry(batch, q).jxw *
+                                          (material.energy(F) + prestress_energy(batch, q, F)));
+                                });
       for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_owned_wall(); ++batch)
       {
         VectorValues u;

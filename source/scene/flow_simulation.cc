@@ -6,6 +6,7 @@
 #include <semilunar/output/cell_numbers.h>
 #include <semilunar/output/flow_errors.h>
 #include <semilunar/output/wall_shear_stress.h>
+#include <semilunar/scene/elastic_wall.h>
 #include <semilunar/scene/flow_checkpoint.h>
 #include <semilunar/scene/flow_simulation.h>
 
@@ -23,7 +24,17 @@ namespace semilunar::scene
     /// of the step in a scene file leaves over is no step of its own.
     constexpr double stretch = 1e-3;
     constexpr double end_tolerance = 1e-6; // of the end time
-  }                                        // namespace
+
+    template <int dim>
+    flow::BoundaryConditions<dim> make_conditions(const FlowSceneParameters &prm,
+                                                  const mesh::Mesh<dim> &mesh,
+                                                  const VectorField<dim> &exact_velocity)
+    {
+      auto conditions = prm.boundaries.conditions<dim>(mesh, prm.constants, exact_velocity);
+      support_wall(prm.wall, mesh, conditions);
+      return conditions;
+    }
+  } // namespace
 
   template <int dim>
   FlowSimulation<dim>::FlowSimulation(const FlowSceneParameters &parameters, RunContext &context,
@@ -32,9 +43,8 @@ namespace semilunar::scene
         exact_velocity(
             field_if_given<dim>(prm.exact_velocity, prm.constants, "Exact solution/Velocity")),
         mesh(mesh::make_mesh<dim>(prm.mesh, MPI_COMM_WORLD)),
-        conditions(prm.boundaries.conditions<dim>(*mesh, prm.constants, exact_velocity)),
-        mapping(prm.flow.degree), solver(make_solver()),
-        companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
+        conditions(make_conditions<dim>(prm, *mesh, exact_velocity)), mapping(prm.flow.degree),
+        solver(make_solver()), companion(make_companion ? make_companion(*solver, *mesh) : nullptr),
         wall(solver->wall() ? std::make_unique<WallRecord<dim>>(prm.record, *mesh) : nullptr),
         velocity_dofs(
             std::make_unique<output::VelocityDofs<dim>>(solver->spaces().velocity_dofs())),
@@ -42,6 +52,7 @@ namespace semilunar::scene
                context.restart, more_columns()),
         files(context.folder, prm.record.vtu, prm.boundaries.walls<dim>(*mesh)), progress{prm.step}
   {
+    check_wall_exists(prm.wall, wall != nullptr, context.log);
     if (context.dry_run)
       return;
     checkpoints = std::make_unique<Checkpoints>(
@@ -221,7 +232,7 @@ namespace semilunar::scene
         const flow::StepReport report =
             step(left < progress.dt * (1. + stretch) ? left : progress.dt);
         finish_step(report);
-        progress.dt = solver->suggested_dt(report.dt);
+        progress.dt = next_dt(report.dt);
         if (prm.steady_tolerance > 0. && rate_of_change(report.dt) < prm.steady_tolerance)
           break;
         save_if_due();
@@ -243,7 +254,8 @@ namespace semilunar::scene
   flow::StepReport FlowSimulation<dim>::step(double dt)
   {
     const Timers::Scope timer(context.timers, "time steps");
-    const bool may_retry = prm.flow.step_control != "fixed";
+    // What moves far may turn cells over that it would not in smaller steps.
+    const bool may_retry = prm.flow.step_control != "fixed" || wall;
     for (unsigned int n = 0;; ++n)
       try
       {
@@ -256,6 +268,14 @@ namespace semilunar::scene
         context.log.line(std::string(error.what()) + "; trying half the step");
         dt *= 0.5;
       }
+  }
+
+  template <int dim>
+  double FlowSimulation<dim>::next_dt(const double dt) const
+  {
+    constexpr double largest_growth = 1.2; // of a step that was cut
+    return prm.flow.step_control == "fixed" ? std::min(prm.step, largest_growth * dt)
+                                            : solver->suggested_dt(dt);
   }
 
   template <int dim>

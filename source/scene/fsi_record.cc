@@ -31,6 +31,7 @@ namespace semilunar::scene
                                                      {"power_dissipated", "erg/s"},
                                                      {"force_on_leaflets_z", "dyn"},
                                                      {"force_on_stent_z", "dyn"},
+                                                     {"force_of_leaflets_on_stent_z", "dyn"},
                                                      {"kinetic_energy", "erg"},
                                                      {"strain_energy", "erg"},
                                                      {"max_mipe", "-"},
@@ -51,7 +52,7 @@ namespace semilunar::scene
         return nullptr;
       FlowRecordParameters parameters;
       parameters.wall_probes = prm.wall_probes;
-      return std::make_unique<WallRecord<3>>(parameters, valve.artery());
+      return std::make_unique<WallRecord<3>>(parameters, valve.artery(), prm.has_stent);
     }
   } // namespace
 
@@ -180,6 +181,7 @@ namespace semilunar::scene
         report.power.dissipation,
         report.force_on_shell[2],
         report.force_on_rigid[2],
+        report.force_on_supports[2],
         valve.kinetic_energy(),
         model.equilibrium.strain_energy(),
         std::max(largest_strain(model, x, 1).value, largest_strain(model, x, -1).value),

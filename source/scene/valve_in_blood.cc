@@ -3,6 +3,7 @@
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/units.h>
 #include <semilunar/mesh/quality.h>
+#include <semilunar/scene/elastic_wall.h>
 #include <semilunar/scene/flow_checkpoint.h>
 #include <semilunar/scene/valve_in_blood.h>
 #include <semilunar/valve/stent.h>
@@ -32,6 +33,7 @@ namespace semilunar::scene
                                                 const mesh::Mesh<3> &mesh)
     {
       auto conditions = prm.boundaries.conditions<3>(mesh, {}, {});
+      support_wall(prm.wall, mesh, conditions);
       if (prm.has_stent)
         conditions.hold_wall(
             [radius = prm.source.design.stent.ring_outer_radius,
@@ -55,6 +57,7 @@ namespace semilunar::scene
         flow(prm.flow, mesh->triangulation, mapping, conditions, timers, &prm.wall),
         velocity_dofs(std::make_unique<output::VelocityDofs<3>>(flow.spaces().velocity_dofs()))
   {
+    check_wall_exists(prm.wall, has_elastic_wall(), log);
     const Timers::Scope timer(timers, "set-up");
     flow.initialise(
         0., [](const auto &, double) { return dealii::Tensor<1, 3>(); },

@@ -11,8 +11,9 @@ namespace semilunar::scene
   }
 
   template <int dim>
-  WallRecord<dim>::WallRecord(const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh)
-      : force_scale(parameters.force_scale)
+  WallRecord<dim>::WallRecord(const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
+                              const bool is_held)
+      : force_scale(parameters.force_scale), is_held(is_held)
   {
     for (const std::string &name : parameters.forces)
       force_ids.push_back(mesh.boundary_id(name, "Output/Forces"));
@@ -30,12 +31,16 @@ namespace semilunar::scene
   template <int dim>
   std::vector<output::TimeSeries::Column> WallRecord<dim>::columns() const
   {
-    std::vector<output::TimeSeries::Column> result = {
-        {"min_scaled_jacobian", "-"}, {"interface_error", "cm"}, {"geometry_solutions", "-"},
-        {"lumen_volume", dim == 3 ? "cm^3" : "cm^2"}};
+    std::vector<output::TimeSeries::Column> result = {{"min_scaled_jacobian", "-"},
+                                                      {"interface_error", "cm"},
+                                                      {"geometry_solutions", "-"},
+                                                      {"lumen_volume", dim == 3 ? "cm^3" : "cm^2"}};
     const std::string unit = force_scale == 1. ? (dim == 3 ? "dyn" : "dyn/cm") : "-";
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back({std::string("force_with_wall_") + axes[d], unit});
+    if (is_held)
+      for (unsigned int d = 0; d < dim; ++d)
+        result.push_back({std::string("force_of_stent_on_wall_") + axes[d], unit});
     for (const Probe &probe : probes)
       for (unsigned int d = 0; d < dim; ++d)
         result.push_back({probe.name + "_d" + axes[d], "cm"});
@@ -72,13 +77,18 @@ namespace semilunar::scene
   std::vector<double> WallRecord<dim>::row(const flow::StepReport &report,
                                            flow::FlowSolver<dim> &solver) const
   {
-    std::vector<double> result = {report.min_scaled_jacobian, report.interface_error,
-                                  double(report.n_geometry),
-                                  dealii::Utilities::MPI::sum(solver.cells().volume(),
-                                                              solver.spaces().communicator())};
+    std::vector<double> result = {
+        report.min_scaled_jacobian, report.interface_error, double(report.n_geometry),
+        dealii::Utilities::MPI::sum(solver.cells().volume(), solver.spaces().communicator())};
     const auto force = solver.force_on_blood(force_ids, true);
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back(-force_scale * force[d]);
+    if (is_held)
+    {
+      const auto of_stent = solver.force_of_holds();
+      for (unsigned int d = 0; d < dim; ++d)
+        result.push_back(force_scale * of_stent[d]);
+    }
     for (const Probe &probe : probes)
     {
       const auto d = displacement(probe, solver);

@@ -30,6 +30,7 @@ namespace semilunar::coupling
     bool new_points = false;       ///< whether the shell got other points before the step
     InterfacePower power;
     dealii::Tensor<1, 3> force_on_shell, force_on_rigid; ///< of the fluid [dyn]
+    dealii::Tensor<1, 3> force_on_supports; ///< of the shell on what holds it, (I11) [dyn]
   };
 
   /// A shell in the flow: what moves, its surface, and the points at which both hold each other.

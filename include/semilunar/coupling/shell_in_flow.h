@@ -61,6 +61,8 @@ namespace semilunar::coupling
     const Vector &displacement() const { return u; }
     const Vector &velocity() const { return v; }
     double kinetic_energy() const;
+    /// Rate of the momentum if the step ends with these displacements [dyn].
+    dealii::Tensor<1, 3> momentum_rate(const Vector &y) const;
     /// Power of the fluid on the shell in the state of the last residual [erg/s].
     double power(const Vector &y) const { return fluid_force * velocity(y); }
 

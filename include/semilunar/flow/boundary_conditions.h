@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 namespace semilunar::flow
 {
@@ -67,6 +68,10 @@ namespace semilunar::flow
     }
     bool is_held(const dealii::Point<dim> &x) const { return held && held(x); }
 
+    /// Parts on which the tissue around an elastic wall acts, besides what acts there anyway.
+    void support_wall(const std::set<Id> &ids) { supported_parts = ids; }
+    const std::set<Id> &supported() const { return supported_parts; }
+
     const std::map<Id, Condition> &all() const { return conditions; }
 
     /// Whether nothing fixes the level of the pressure.
@@ -81,6 +86,7 @@ namespace semilunar::flow
   private:
     std::map<Id, Condition> conditions;
     std::function<bool(const dealii::Point<dim> &)> held;
+    std::set<Id> supported_parts;
   };
 } // namespace semilunar::flow
 

@@ -63,6 +63,15 @@ namespace semilunar::flow
     /// momentum -= traction h(x, n, t).
     void subtract_traction(Id id, const TractionFunction<dim> &traction, double time,
                            Vector &momentum) const;
+    /// vector += factor times the integrals of n phi_i over those faces of a part that the lumen's
+    /// cells have.
+    void add_lumen_normals(Id id, double factor, Vector &vector) const;
+
+    unsigned int n_face_nodes() const { return n_nodes; }
+    /// Integrals of products of the shape functions over each face of owned cells,
+    /// [face][node][node].
+    std::vector<double> mass_matrices(Id id) const;
+
     /// Calls add(cell, i, j, value) for lexicographic cell nodes i, j with backflow matrix entries.
     template <class Add>
     void backflow_matrix(Id id, const Add &add) const;

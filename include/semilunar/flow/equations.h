@@ -67,6 +67,8 @@ namespace semilunar::flow
     PointTerms<dim> &points() { return point_terms; }
     const PointTerms<dim> &points() const { return point_terms; }
     const BoundaryConditions<dim> &conditions() const { return bc; }
+    /// Stored nodes of the wall that are held.
+    const std::vector<unsigned int> &held() const { return held_nodes; }
     /// nullptr if there is none
     WallEquations<dim> *wall() { return wall_equations.get(); }
     const WallEquations<dim> *wall() const { return wall_equations.get(); }

@@ -114,6 +114,10 @@ namespace semilunar::flow
     /// Force on the blood of parts of the boundary, with that of an elastic wall, each node once.
     dealii::Tensor<1, dim> force_on_blood(const std::vector<Id> &ids, bool of_wall);
 
+    /// Force on wall and blood of what holds nodes of the wall (BoundaryConditions::hold_wall)
+    /// [dyn]. Of the state after a step. Collective.
+    dealii::Tensor<1, dim> force_of_holds();
+
     /// Where immersed structures and marked cells enter. After changes of points or marked cells
     /// call preconditioner().invalidate_momentum().
     PointTerms<dim> &points() { return equations.points(); }
@@ -143,6 +147,8 @@ namespace semilunar::flow
     void iterate(double target);
     /// Linear-implicit in the lumen, Newton's method in the wall.
     void iterate_in_wall();
+    /// @throws NumericsError if the wall found has cells that are turned over
+    void check_wall() const;
     /// Solve for the change of the state with its residual.
     void add_linear_solution(double target);
     typename StateTransfer<dim>::State transferred_state(bool mesh_moves);

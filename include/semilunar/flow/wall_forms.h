@@ -22,9 +22,13 @@ namespace semilunar::flow
                                              const WallParameters &parameters);
     virtual ~WallForms() = default;
 
-    /// Make the geometry in which the wall is free of stress. Collective.
+    /// Make the geometry at rest, in which the wall is free of stress at first. Collective.
     /// @throws NumericsError on all ranks if a cell is degenerate
     virtual void set_reference(const Vector &positions) = 0;
+
+    /// From now on the stress in the geometry at rest is that of a linear elastic body with this
+    /// readable displacement, equation (P3), until set_reference().
+    virtual void set_prestress(const Vector &displacement) = 0;
 
     /// Deformation gradients that the derivative is about. Of ghost cells as well.
     /// @param inertia alpha_0 [1/s]; 0: the derivative with respect to positions, without inertia

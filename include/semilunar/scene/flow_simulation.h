@@ -40,6 +40,7 @@ namespace semilunar::scene
     void report_size() const;
     /// A step of at most this size, smaller if steps are controlled and it fails.
     flow::StepReport step(double dt);
+    double next_dt(double dt) const;
     /// After a step: rows, files, a new mesh.
     void finish_step(const flow::StepReport &report);
     void adapt_mesh();

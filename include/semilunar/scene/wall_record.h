@@ -14,8 +14,10 @@ namespace semilunar::scene
   class WallRecord
   {
   public:
+    /// @param is_held whether a stent holds the wall
     /// @throws InputError for probes that are none
-    WallRecord(const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh);
+    WallRecord(const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
+               bool is_held = false);
 
     std::vector<output::TimeSeries::Column> columns() const;
     /// Values of the columns after a step. Collective.
@@ -33,6 +35,7 @@ namespace semilunar::scene
                                         const flow::FlowSolver<dim> &solver) const;
 
     const double force_scale;
+    const bool is_held;
     std::vector<dealii::types::boundary_id> force_ids;
     std::vector<Probe> probes;
   };
