@@ -18,7 +18,7 @@ namespace semilunar::flow
     constexpr double tolerance = 1e-9;
     /// Inertia of the preconditioner in units of stiffness over squared length: what nothing holds
     /// may move freely.
-    constexpr double regularisation = 1e-4;
+    constexpr double regularisation = 1.;
 
     /// The wall at rest: stiffness, and a preconditioner for it.
     template <int dim>
@@ -36,7 +36,8 @@ namespace semilunar::flow
             regularisation * prm.youngs_modulus / (prm.density * std::pow(volume, 2. / dim));
         // inertia (inertia + damping) = squared
         const double half = 0.5 * prm.damping;
-        forms.linearise(reference, squared / (half + std::sqrt(half * half + squared)));
+        forms.linearise(
+            reference, prm.density > 0. ? squared / (half + std::sqrt(half * half + squared)) : 1.);
         matrix.reinit();
         matrix.assemble(forms);
         matrix.factorise(constraints);

@@ -3,6 +3,8 @@
 #include <semilunar/core/nearest_name.h>
 #include <semilunar/mesh/mesh.h>
 
+#include <set>
+
 namespace semilunar::mesh
 {
   template <int dim>
@@ -29,6 +31,22 @@ namespace semilunar::mesh
     for (const auto &[known, id] : boundary_ids)
       names.push_back(known);
     throw InputError(where, name, "the mesh has no boundary of this name", suggest(name, names));
+  }
+
+  template <int dim>
+  BoundaryIds Mesh<dim>::lumen_boundary_ids() const
+  {
+    std::set<dealii::types::boundary_id> ids;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0)) // the same on all ranks
+      if (cell->material_id() == lumen)
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            ids.insert(face->boundary_id());
+    BoundaryIds result;
+    for (const auto &[name, id] : boundary_ids)
+      if (ids.count(id) > 0)
+        result[name] = id;
+    return result;
   }
 
   template class Mesh<2>;

@@ -35,7 +35,7 @@ namespace semilunar::scene
                               const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
                               const bool resume,
                               const std::vector<output::TimeSeries::Column> &more)
-      : parameters(parameters), boundary_ids(mesh.boundary_ids)
+      : parameters(parameters), boundary_ids(mesh.lumen_boundary_ids())
   {
     for (const std::string &name : parameters.forces)
       force_ids.push_back(mesh.boundary_id(name, "Output/Forces"));
@@ -205,6 +205,25 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  double FlowRecord<dim>::largest_volume_error() const
+  {
+    const std::vector<double> &times = columns[0].values, &volumes = find("lumen_volume").values;
+    std::vector<double> outflow(times.size(), 0.);
+    for (const auto &[name, id] : boundary_ids)
+    {
+      const std::vector<double> &rates = find("flow_rate_" + name).values;
+      std::transform(rates.begin(), rates.end(), outflow.begin(), outflow.begin(), std::plus<>());
+    }
+    double inside = volumes[0], largest = 0.;
+    for (std::size_t i = 1; i < times.size(); ++i)
+    {
+      inside -= 0.5 * (times[i] - times[i - 1]) * (outflow[i] + outflow[i - 1]);
+      largest = std::max(largest, std::abs(volumes[i] - inside));
+    }
+    return largest;
+  }
+
+  template <int dim>
   void FlowRecord<dim>::add_quantities(RunResults &results) const
   {
     if (columns[0].values.empty())
@@ -222,6 +241,12 @@ namespace semilunar::scene
     const double scale = largest_flow_rate > 0. ? largest_flow_rate : 1.;
     results.quantities.push_back({"flow_imbalance", std::abs(last_imbalance) / scale, "-"});
     results.quantities.push_back({"max_flow_imbalance", largest_imbalance / scale, "-"});
+    const bool volume_changes =
+        std::any_of(columns.begin(), columns.end(),
+                    [](const Column &column) { return column.title.name == "lumen_volume"; });
+    if (volume_changes)
+      results.quantities.push_back(
+          {"largest_volume_error", largest_volume_error(), dim == 3 ? "cm^3" : "cm^2"});
   }
 
   template class FlowRecord<2>;

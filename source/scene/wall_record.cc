@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/scene/wall_record.h>
 
+#include <cmath>
 #include <limits>
 
 namespace semilunar::scene
@@ -34,7 +35,8 @@ namespace semilunar::scene
     std::vector<output::TimeSeries::Column> result = {{"min_scaled_jacobian", "-"},
                                                       {"interface_error", "cm"},
                                                       {"geometry_solutions", "-"},
-                                                      {"lumen_volume", dim == 3 ? "cm^3" : "cm^2"}};
+                                                      {"lumen_volume", dim == 3 ? "cm^3" : "cm^2"},
+                                                      {"largest_wall_displacement", "cm"}};
     const std::string unit = force_scale == 1. ? (dim == 3 ? "dyn" : "dyn/cm") : "-";
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back({std::string("force_with_wall_") + axes[d], unit});
@@ -74,12 +76,29 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  double WallRecord<dim>::largest_displacement(const flow::FlowSolver<dim> &solver) const
+  {
+    const flow::Vector &rest = solver.reference_positions(), &now = solver.positions();
+    double largest = 0.;
+    for (const unsigned int node : solver.wall()->nodes().owned())
+    {
+      double squared = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        squared +=
+            std::pow(now.local_element(dim * node + c) - rest.local_element(dim * node + c), 2);
+      largest = std::max(largest, squared);
+    }
+    return std::sqrt(dealii::Utilities::MPI::max(largest, solver.spaces().communicator()));
+  }
+
+  template <int dim>
   std::vector<double> WallRecord<dim>::row(const flow::StepReport &report,
                                            flow::FlowSolver<dim> &solver) const
   {
     std::vector<double> result = {
         report.min_scaled_jacobian, report.interface_error, double(report.n_geometry),
-        dealii::Utilities::MPI::sum(solver.cells().volume(), solver.spaces().communicator())};
+        dealii::Utilities::MPI::sum(solver.cells().volume(), solver.spaces().communicator()),
+        largest_displacement(solver)};
     const auto force = solver.force_on_blood(force_ids, true);
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back(-force_scale * force[d]);

@@ -33,6 +33,9 @@ namespace semilunar::mesh
     /// @param where entry that names the boundary
     /// @throws InputError naming @p where and the names there are
     dealii::types::boundary_id boundary_id(const std::string &name, const std::string &where) const;
+
+    /// The parts of the boundary that cells of the lumen have faces of.
+    BoundaryIds lumen_boundary_ids() const;
   };
 } // namespace semilunar::mesh
 

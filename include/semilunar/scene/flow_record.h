@@ -65,10 +65,12 @@ namespace semilunar::scene
     }
     void declare_columns();
     const Column &find(const std::string &name) const;
+    /// Of the lumen against what flowed in and out since the first step.
+    double largest_volume_error() const;
     void add_peak(const std::string &name, double sign, RunResults &results) const;
 
     const FlowRecordParameters parameters;
-    const mesh::BoundaryIds boundary_ids;
+    const mesh::BoundaryIds boundary_ids; ///< of the lumen
     std::vector<dealii::types::boundary_id> force_ids;
     std::vector<output::CrossSection<dim>> sections;
     std::vector<NamedProbe> probes;

@@ -34,6 +34,8 @@ namespace semilunar::scene
     dealii::Tensor<1, dim> displacement(const Probe &probe,
                                         const flow::FlowSolver<dim> &solver) const;
 
+    double largest_displacement(const flow::FlowSolver<dim> &solver) const;
+
     const double force_scale;
     const bool is_held;
     std::vector<dealii::types::boundary_id> force_ids;

@@ -1,0 +1,64 @@
+#!/bin/bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# usage: elastic_wall.sh PROGRAM PRM_FOLDER MPIEXEC
+#
+# Elastic arteries in scenes: a wall that a prestress keeps where it is, meshes that are finer around
+# the valve, on one and two ranks; steps that are cut before cells turn over; and what a section Wall
+# without a wall says.
+scenes=$(realpath "$2")
+mpiexec=$3
+source "$(dirname "$0")/expect.sh"
+export DEAL_II_NUM_THREADS=1
+whole_program=$program
+cat >by_2_ranks <<END_SCRIPT
+#!/bin/bash
+exec "$mpiexec" -n 2 "$whole_program" "\$@"
+END_SCRIPT
+chmod +x by_2_ranks
+
+# same RUN RUN QUANTITY SHARE: they differ by no more than this share.
+same() {
+  local value
+  value=$(quantity "$1" "$3")
+  expect_between "$2" "$3" "$(awk -v v="$value" -v s="$4" 'BEGIN { print v - s * (v < 0 ? -v : v) }')" \
+    "$(awk -v v="$value" -v s="$4" 'BEGIN { print v + s * (v < 0 ? -v : v) }')"
+}
+
+base=$scenes/hard/artery/base.prm
+
+# In balance with 80 mmHg everywhere, nothing moves; a linear wall would by 0.1 cm.
+still=("Boundary conditions/Pressures=inlet: 80*mmHg; outlet: 80*mmHg" "Time/End=2e-3")
+for ranks in one two; do
+  [[ $ranks == two ]] && program=$folder/by_2_ranks
+  expect 0 'done in' "$base" --set "${still[0]}" --set "${still[1]}" --output still-$ranks \
+    --set "Flow/Linear tolerance=1e-7"
+  expect_between still-$ranks max_largest_wall_displacement 0 1e-6
+done
+program=$whole_program
+
+# Finer around the valve, wall and all.
+finer=(--set "Mesh/Box refinements=1" --set "Mesh/Boxes=-2.5, -2.5, 0, 2.5, 2.5, 2" --set Time/End=2e-3
+  --set "Flow/Linear tolerance=1e-7")
+expect 0 'done in' "$base" "${finer[@]}" --output finer
+expect_between finer cells 2000 5000
+expect_between finer largest_volume_error 0 0.01
+program=$folder/by_2_ranks
+expect 0 'done in' "$base" "${finer[@]}" --output finer-two
+program=$whole_program
+same finer finer-two lumen_volume 1e-6
+same finer finer-two max_largest_wall_displacement 1e-3
+
+# A mesh that changes under way, by the flow and by the leaflets.
+expect 0 'done in' "$base" --set Time/End=4e-3 --set Mesh/Adaptivity/Interval=2 --output adapted
+expect_between adapted cells 1000 3000
+
+# A section Wall without a wall.
+rigid=$scenes/flow/artery.prm
+expect 1 'no wall that this describes' "$rigid" --dry-run --set Wall/Density=2
+expect 0 'section Wall describes nothing' "$rigid" --dry-run --set Wall/Density=1
+expect 1 'no boundary of this name' "$base" --dry-run --set "Wall/Support stiffness=1" \
+  --set "Wall/Supported boundaries=outer"
+expect 1 'no cell of the wall lies' "$base" --dry-run --set "Wall/Support stiffness=1" \
+  --set "Wall/Supported boundaries=inlet"
+finish
