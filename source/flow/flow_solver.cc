@@ -165,11 +165,11 @@ namespace semilunar::flow
     first_guess();
     // Residuals below this are rounding of inertia, viscous forces and pressure.
     constexpr double rounding = 1e-12;
-    // Strains of the wall are differences of positions, of which a hundredth of that is rounding.
-    constexpr double of_positions = 1e-2;
+    // Strains of the wall are differences of positions, of which a thousandth of that is rounding.
+    constexpr double of_positions = 1e-3;
     const double stiffness = equations.wall()
                                  ? equations.wall()->parameters().youngs_modulus *
-                                       nodes.positions().linfty_norm() * std::pow(h, dim - 2)
+                                       nodes.positions().l2_norm() * std::pow(h, dim - 2)
                                  : 0.;
     return rounding * (of_positions * stiffness +
                        (prm.density * bdf.alpha[0] + prm.viscosity / (h * h)) *
