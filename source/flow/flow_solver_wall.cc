@@ -31,6 +31,10 @@ namespace semilunar::flow
       current.min_scaled_jacobian = min_scaled_jacobian(space, positions);
     }
     move_mesh(positions);
+    // Gauss points may not show it.
+    if (!(current.min_scaled_jacobian > 0.))
+      throw NumericsError("the wall has turned over cells of the blood's mesh",
+                          "t = " + std::to_string(current.time), "");
   }
 
   template <int dim>
