@@ -70,8 +70,10 @@ namespace semilunar::flow
   void SaddlePointSolver<dim>::start_step()
   {
     if (iterations_of_step > 0)
-      for (FactorAge *age : {&momentum_age, &wall_age})
-        age->add_solution(iterations_of_step);
+    {
+      momentum_age.add_solution(iterations_of_step);
+      wall_age.add_step(iterations_of_step);
+    }
     iterations_of_step = 0;
   }
 

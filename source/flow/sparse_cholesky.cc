@@ -29,21 +29,42 @@ namespace semilunar::flow
           y[i] += A[i] * x[j];
     }
 
-    /// Scalar product of m entries, summed up in parts that fill registers.
-    template <class Number>
-    Number product(const Number *a, const Number *b, const unsigned int m)
+    /// Subtract from y the product of the transposed matrix with x: n_columns scalar products of m
+    /// entries at once, summed up in parts that fill registers.
+    template <unsigned int n_columns, class Number>
+    void subtract_columns(const Number *A, const unsigned int stride, const unsigned int m,
+                          const Number *x, Number *y)
     {
-      constexpr unsigned int width = 32;
-      Number parts[width] = {}, sum = 0.;
+      constexpr unsigned int width = 16;
+      Number parts[n_columns][width] = {};
       unsigned int i = 0;
       for (; i + width <= m; i += width)
-        for (unsigned int k = 0; k < width; ++k)
-          parts[k] += a[i + k] * b[i + k];
-      for (; i < m; ++i)
-        sum += a[i] * b[i];
-      for (const Number part : parts)
-        sum += part;
-      return sum;
+        for (unsigned int j = 0; j < n_columns; ++j)
+          for (unsigned int k = 0; k < width; ++k)
+            parts[j][k] += A[std::size_t(j) * stride + i + k] * x[i + k];
+      for (unsigned int k = 0; i + k < m; ++k)
+        for (unsigned int j = 0; j < n_columns; ++j)
+          parts[j][k] += A[std::size_t(j) * stride + i + k] * x[i + k];
+      for (unsigned int j = 0; j < n_columns; ++j)
+      {
+        for (unsigned int half = width / 2; half > 0; half /= 2)
+          for (unsigned int k = 0; k < half; ++k)
+            parts[j][k] += parts[j][k + half];
+        y[j] -= parts[j][0];
+      }
+    }
+
+    /// y -= A^T x for m rows and n columns of a matrix stored column by column.
+    template <class Number>
+    void subtract_transposed_product(const Number *A, const unsigned int stride,
+                                     const unsigned int m, const unsigned int n, const Number *x,
+                                     Number *y)
+    {
+      unsigned int j = 0;
+      for (; j + 4 <= n; j += 4, A += 4 * std::size_t(stride))
+        subtract_columns<4>(A, stride, m, x, y + j);
+      for (; j < n; ++j, A += stride)
+        subtract_columns<1>(A, stride, m, x, y + j);
     }
   } // namespace
 
@@ -186,11 +207,11 @@ namespace semilunar::flow
       const int *below = row.data() + row_start[s] + n;
       for (unsigned int i = 0; i < n_below; ++i)
         rows_below[i] = work[below[i]];
+      subtract_transposed_product(L + n, stride, n_below, n, rows_below.data(), y);
       for (unsigned int j = n; j-- > 0;)
       {
         const Number *column = L + std::size_t(j) * stride;
-        y[j] -= product(column + n, rows_below.data(), n_below) +
-                product(column + j + 1, y + j + 1, n - j - 1);
+        subtract_columns<1>(column + j + 1, stride, n - j - 1, y + j + 1, y + j);
         y[j] *= column[j];
       }
     }

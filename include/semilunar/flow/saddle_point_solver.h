@@ -84,7 +84,7 @@ namespace semilunar::flow
     /// steps.
     FactorAge momentum_age = {10, 2};
     /// Factors of the wall cost more than those of the momentum matrix.
-    FactorAge wall_age = {25, 4};
+    FactorAge wall_age = {50, 4};
     unsigned int iterations_of_step = 0; ///< with a wall
   };
 } // namespace semilunar::flow
