@@ -70,10 +70,8 @@ namespace semilunar::flow
   void SaddlePointSolver<dim>::start_step()
   {
     if (iterations_of_step > 0)
-    {
-      momentum_age.add_solution(iterations_of_step);
-      wall_age.add_step(iterations_of_step);
-    }
+      for (FactorAge *age : {&momentum_age, &wall_age})
+        age->add_solution(iterations_of_step);
     iterations_of_step = 0;
   }
 

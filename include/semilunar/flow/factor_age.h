@@ -7,15 +7,19 @@
 
 namespace semilunar::flow
 {
-  /// When factors of a preconditioner are to be made anew: when the equations
-  /// have changed enough to cost more iterations than new factors do.
+  /// When factors of a preconditioner are to be made anew: when the equations have changed enough
+  /// to cost more iterations than new factors do.
   class FactorAge
   {
   public:
+    static constexpr unsigned int any = 1u << 30;
+
     /// @param max_age solutions that factors may serve
-    /// @param max_more iterations that a solution may take beyond those that it is compared with
-    FactorAge(const unsigned int max_age, const unsigned int max_more)
-        : max_age(max_age), max_more(max_more)
+    /// @param max_more iterations that a solution may take beyond those of the first one
+    /// @param max_lost iterations that all of them may take beyond those of the best one: what new
+    ///   factors cost
+    FactorAge(const unsigned int max_age, const unsigned int max_more, const unsigned int max_lost)
+        : max_age(max_age), max_more(max_more), max_lost(max_lost)
     {
     }
 
@@ -23,40 +27,37 @@ namespace semilunar::flow
     void start(const double inertia)
     {
       valid = true;
-      age = fewest_iterations = last_iterations = 0;
+      age = first = last = fewest = sum = 0;
       inertia_of_factors = inertia;
     }
     void invalidate() { valid = false; }
 
-    /// A solution is compared with the first one.
     void add_solution(const unsigned int n_iterations)
     {
       if (age == 0)
-        fewest_iterations = n_iterations;
-      last_iterations = n_iterations;
+        first = fewest = n_iterations;
+      last = n_iterations;
+      fewest = std::min(fewest, n_iterations);
+      sum += n_iterations;
       ++age;
     }
-    /// A time step of several solutions is compared with the best one so far.
-    void add_step(const unsigned int n_iterations)
-    {
-      const unsigned int before = age == 0 ? n_iterations : fewest_iterations;
-      add_solution(n_iterations);
-      fewest_iterations = std::min(before, n_iterations);
-    }
 
-    /// Whether solutions with this alpha_0 have nothing to do with the factors.
+    /// Whether the factors are of no use for solutions with this alpha_0.
     bool unfit(const double inertia) const
     {
       constexpr double max_change = 0.2;
       return !valid || std::abs(inertia - inertia_of_factors) > max_change * inertia;
     }
-    bool stale() const { return age >= max_age || last_iterations > fewest_iterations + max_more; }
+    bool stale() const
+    {
+      return age >= max_age || last > first + max_more || sum > age * fewest + max_lost;
+    }
 
   private:
-    const unsigned int max_age, max_more;
+    const unsigned int max_age, max_more, max_lost;
     bool valid = false;
     double inertia_of_factors = 0.;
-    unsigned int age = 0, fewest_iterations = 0, last_iterations = 0;
+    unsigned int age = 0, first = 0, last = 0, fewest = 0, sum = 0; ///< of iterations
   };
 } // namespace semilunar::flow
 

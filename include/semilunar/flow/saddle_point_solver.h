@@ -82,9 +82,9 @@ namespace semilunar::flow
     bool advection_rules = false; ///< in the Schur complement, as of the last factorisation
     /// Age in solutions; with a wall, of which the first of a step is not like the others, in
     /// steps.
-    FactorAge momentum_age = {10, 2};
-    /// Factors of the wall cost more than those of the momentum matrix.
-    FactorAge wall_age = {50, 4};
+    FactorAge momentum_age = {10, 2, FactorAge::any};
+    /// Factors of the wall cost as much as ten iterations and more.
+    FactorAge wall_age = {50, FactorAge::any, 10};
     unsigned int iterations_of_step = 0; ///< with a wall
   };
 } // namespace semilunar::flow
