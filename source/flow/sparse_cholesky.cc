@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace semilunar::flow
 {
@@ -117,6 +118,9 @@ namespace semilunar::flow
     double mean = 0.;
     for (std::size_t i = 0; i < n; ++i)
       mean += matrix.value[matrix.start[i]] / n;
+    // BLAS may take pivots that are no numbers.
+    const bool finite =
+        std::isfinite(std::accumulate(matrix.value.begin(), matrix.value.end(), 0.));
     if (!cholmod)
       cholmod = std::make_unique<Cholmod>();
     cholmod_common *common = &cholmod->common;
@@ -127,8 +131,7 @@ namespace semilunar::flow
          share = std::max(1e-3, 10. * share))
     {
       double shift[2] = {share * mean, 0.};
-      done = std::isfinite(mean) &&
-             cholmod_factorize_p(&A, shift, nullptr, 0, cholmod->factor, common) != 0 &&
+      done = finite && cholmod_factorize_p(&A, shift, nullptr, 0, cholmod->factor, common) != 0 &&
              common->status == CHOLMOD_OK;
     }
     if (!done)

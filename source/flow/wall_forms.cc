@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
+#include <semilunar/flow/cell_vectors.h>
 #include <semilunar/flow/wall_forms.h>
 #include <semilunar/flow/wall_material.h>
 
@@ -90,12 +91,7 @@ namespace semilunar::flow
     void WallFormsOfDegree<dim, degree>::read(const unsigned int batch, const Vector &vector,
                                               VectorValues &values) const
     {
-      const double *source = vector.begin();
-      const auto *nodes = spaces.velocity_nodes(batch);
-      for (int i = 0; i < n_nodes; ++i)
-        for (int c = 0; c < dim; ++c)
-          for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            values[c][i][lane] = source[dim * nodes[i][lane] + c];
+      read_nodes(spaces.velocity_nodes(batch), vector.begin(), values);
     }
 
     template <int dim, int degree>

@@ -3,6 +3,7 @@
 #define semilunar_flow_cell_forms_of_degree_templates_h
 
 #include <semilunar/flow/cell_forms_of_degree.h>
+#include <semilunar/flow/cell_vectors.h>
 
 namespace semilunar::flow
 {
@@ -19,12 +20,7 @@ namespace semilunar::flow
   void CellFormsOfDegree<dim, degree>::read(const unsigned int batch, const Vector &vector,
                                             VectorValues &values) const
   {
-    const double *source = vector.begin();
-    const auto *nodes = spaces.velocity_nodes(batch);
-    for (int i = 0; i < n_nodes; ++i)
-      for (int c = 0; c < dim; ++c)
-        for (unsigned int lane = 0; lane < n_lanes; ++lane)
-          values[c][i][lane] = source[dim * nodes[i][lane] + c];
+    read_nodes(spaces.velocity_nodes(batch), vector.begin(), values);
   }
 
   template <int dim, int degree>
@@ -42,12 +38,8 @@ namespace semilunar::flow
   void CellFormsOfDegree<dim, degree>::add(const unsigned int batch, const VectorValues &values,
                                            Vector &vector) const
   {
-    double *target = vector.begin();
-    const auto *nodes = spaces.velocity_nodes(batch);
-    for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
-      for (int i = 0; i < n_nodes; ++i)
-        for (int c = 0; c < dim; ++c)
-          target[dim * nodes[i][lane] + c] += values[c][i][lane];
+    add_to_nodes(spaces.velocity_nodes(batch), spaces.n_filled_lanes(batch), values,
+                 vector.begin());
   }
 
   template <int dim, int degree>

@@ -50,7 +50,10 @@ namespace semilunar::flow
     }
     bool stale() const
     {
-      return age >= max_age || last > first + max_more || sum > age * fewest + max_lost;
+      // Iterations differ between solutions for other reasons as well.
+      constexpr unsigned int min_age = 5;
+      return age >= max_age || last > first + max_more ||
+             (age >= min_age && sum > age * fewest + max_lost);
     }
 
   private:
