@@ -22,7 +22,7 @@ namespace semilunar::flow
         equations(space, prm, this->conditions, space.has_wall() ? wall : nullptr),
         linear_solver(equations, prm, timers)
   {
-    if (equations.wall())
+    if (equations.wall() && space.has_lumen())
       motion = std::make_unique<MeshMotion<dim>>(space, equations.wall()->nodes(), conditions);
     reinit_vectors();
     equations.reinit(nodes.positions(), nodes.reference_positions());
@@ -154,8 +154,10 @@ namespace semilunar::flow
   {
     // A length of the mesh, and with it what makes both residuals comparable.
     const double n_nodes = space.velocity_dofs().n_dofs();
-    const double volume =
-        dealii::Utilities::MPI::sum(equations.cells().volume(), space.communicator());
+    const double volume = dealii::Utilities::MPI::sum(
+        space.has_lumen() ? equations.cells().volume()
+                          : equations.wall()->solid().reference_volume(),
+        space.communicator());
     const double h = std::pow(volume / n_nodes, 1. / dim);
     linear_solver.start_step();
     linear_solver.set_continuity_weight(prm.density * bdf.alpha[0] * h + prm.viscosity / h);
@@ -165,8 +167,8 @@ namespace semilunar::flow
     first_guess();
     // Residuals below this are rounding of inertia, viscous forces and pressure.
     constexpr double rounding = 1e-12;
-    // Strains of the wall are differences of positions, of which a thousandth of that is rounding.
-    constexpr double of_positions = 1e-3;
+    // Strains of the wall are differences of positions, of which a hundredth of that is rounding.
+    constexpr double of_positions = 1e-2;
     const double stiffness = equations.wall()
                                  ? equations.wall()->parameters().youngs_modulus *
                                        nodes.positions().l2_norm() * std::pow(h, dim - 2)

@@ -27,8 +27,11 @@ namespace semilunar::flow
     {
       Timers::Scope scope(timers, "flow: mesh motion");
       take_wall_positions(velocity, positions);
-      motion->solve(positions);
-      current.min_scaled_jacobian = min_scaled_jacobian(space, positions);
+      if (motion) // not if the solid is alone
+      {
+        motion->solve(positions);
+        current.min_scaled_jacobian = min_scaled_jacobian(space, positions);
+      }
     }
     move_mesh(positions);
     // Gauss points may not show it.

@@ -131,7 +131,7 @@ namespace semilunar::flow
     momentum_age.start(inertia);
     {
       Timers::Scope scope(timers, "flow: Schur complement");
-      if (!schur_is_valid)
+      if (!schur_is_valid && equations.spaces().has_lumen())
         schur.build(equations, momentum.diagonal());
       schur_is_valid = true;
     }
@@ -141,7 +141,7 @@ namespace semilunar::flow
   template <int dim>
   void SaddlePointSolver<dim>::prepare_balance(const bool new_factors)
   {
-    if (equations.conditions().closed())
+    if (!has_balance())
       return;
     FlowVector source;
     source.reinit(equations.spaces());
@@ -225,14 +225,16 @@ namespace semilunar::flow
   void SaddlePointSolver<dim>::precondition(FlowVector &z, const FlowVector &r) const
   {
     solve_blocks(z, r);
-    if (!equations.conditions().closed())
+    if (has_balance())
       add(z, surplus(z, r), response);
   }
 
   template <int dim>
   void SaddlePointSolver<dim>::solve_blocks(FlowVector &z, const FlowVector &r) const
   {
-    if (advection_rules)
+    if (!equations.spaces().has_lumen())
+      z.pressure = 0.;
+    else if (advection_rules)
       schur.vmult(z.pressure, r.pressure, momentum.rows());
     else
       schur.vmult(z.pressure, r.pressure);
@@ -262,7 +264,7 @@ namespace semilunar::flow
     FlowVector r = b;
     if (equations.conditions().closed())
       remove_mean(r.pressure);
-    else
+    if (has_balance())
       start_balanced(x, r, b);
     unsigned int n = 0;
     double size = norm(r);

@@ -86,6 +86,7 @@ namespace semilunar::flow
     append_cells(true, true);
     owned_wall_end = n_cells_of_batch.size();
     append_cells(false, true);
+    lumen_exists = dealii::Utilities::MPI::max(owned_batches, communicator()) > 0;
     wall_exists = dealii::Utilities::MPI::max(owned_wall_end - lumen_batches, communicator()) > 0;
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/mesh/cell_blocks.h>
 #include <semilunar/mesh/flag_channel.h>
 
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace semilunar::mesh
   namespace
   {
     using dealii::Point;
-    using Positions = std::vector<double>;
+    using Positions = CellBlocks::Positions;
 
     // Turek and Hron 2006; lengths as printed there.
     constexpr double height = 0.41, length = 2.5, radius = 0.05, flag_end = 0.6,
@@ -28,74 +28,26 @@ namespace semilunar::mesh
       root = 4
     };
 
-    /// Blocks of cells whose common points are found by their positions.
-    class Blocks
+    /// Coordinates of the rectangles: short at the flag and behind its tip.
+    struct Grid
     {
-    public:
-      /// @param position of the point (i, j), 0 <= i <= n, 0 <= j <= m
-      template <class Position>
-      void add(const unsigned int n, const unsigned int m, const Position &position,
-               const Material material)
-      {
-        const unsigned int first = vertices.size();
-        for (unsigned int j = 0; j <= m; ++j)
-          for (unsigned int i = 0; i <= n; ++i)
-            vertices.push_back(position(i, j));
-        for (unsigned int j = 0; j < m; ++j)
-          for (unsigned int i = 0; i < n; ++i)
-          {
-            dealii::CellData<2> cell;
-            for (unsigned int v = 0; v < 4; ++v)
-              cell.vertices[v] = first + (j + v / 2) * (n + 1) + i + v % 2;
-            cell.material_id = material;
-            cells.push_back(cell);
-          }
-      }
+      const double top = centre[1] + half_thickness, bottom = centre[1] - half_thickness;
+      const Positions flag = {bottom, top};
+      const Positions below = CellBlocks::between(0., centre[1] - box, 2);
+      const Positions above = CellBlocks::between(centre[1] + box, height, 2);
+      const Positions under_flag = CellBlocks::growing(centre[1] - box, bottom, 3, 1. / 1.8);
+      const Positions over_flag = CellBlocks::growing(top, centre[1] + box, 3, 1.8);
+      const Positions upstream = CellBlocks::between(0., centre[0] - box, 2);
+      const Positions around = CellBlocks::between(centre[0] - box, centre[0] + box, 4);
+      const Positions along = CellBlocks::growing(centre[0] + box, flag_end, 7, 0.85);
+      const Positions downstream = CellBlocks::growing(flag_end, length, 16, 1.15);
 
-      void add_rectangles(const Positions &x, const Positions &y, const Material material)
+      /// All heights of the square.
+      Positions beside() const
       {
-        add(
-            x.size() - 1, y.size() - 1,
-            [&](const unsigned int i, const unsigned int j) { return Point<2>(x[i], y[j]); },
-            material);
+        return CellBlocks::joined(CellBlocks::joined(under_flag, flag), over_flag);
       }
-
-      void create(dealii::Triangulation<2> &triangulation)
-      {
-        dealii::SubCellData none;
-        std::vector<unsigned int> considered;
-        dealii::GridTools::delete_duplicated_vertices(vertices, cells, none, considered, 1e-10);
-        dealii::GridTools::consistently_order_cells(cells);
-        triangulation.create_triangulation(vertices, cells, none);
-      }
-
-    private:
-      std::vector<Point<2>> vertices;
-      std::vector<dealii::CellData<2>> cells;
     };
-
-    Positions between(const double a, const double b, const unsigned int n)
-    {
-      Positions result;
-      for (unsigned int i = 0; i <= n; ++i)
-        result.push_back(a + (b - a) * i / n);
-      return result;
-    }
-
-    Positions joined(Positions a, const Positions &b)
-    {
-      a.insert(a.end(), b.begin() + 1, b.end());
-      return a;
-    }
-
-    /// Cells that grow by a factor.
-    Positions growing(const double a, const double b, const unsigned int n, const double factor)
-    {
-      Positions result;
-      for (unsigned int i = 0; i <= n; ++i)
-        result.push_back(a + (b - a) * (std::pow(factor, i) - 1.) / (std::pow(factor, n) - 1.));
-      return result;
-    }
 
     Point<2> on_cylinder(const double angle)
     {
@@ -104,7 +56,7 @@ namespace semilunar::mesh
 
     /// Cells from the cylinder to points on the square around it, between two angles (with
     /// increasing angle).
-    void add_sector(Blocks &blocks, const std::vector<Point<2>> &outer, const double first,
+    void add_sector(CellBlocks &blocks, const std::vector<Point<2>> &outer, const double first,
                     const double last, const Positions &radial, const Material material)
     {
       blocks.add(
@@ -117,14 +69,25 @@ namespace semilunar::mesh
           material);
     }
 
-    void add_cells_around_cylinder(Blocks &blocks, const Positions &x, const Positions &y)
+    /// From the cylinder (0) to the square (1).
+    const Positions radial = {0., 0.22, 0.53, 1.};
+    const double at_flag = std::asin(half_thickness / radius); // angle of its upper edge
+
+    void add_flag_at_cylinder(CellBlocks &blocks)
+    {
+      const double right = centre[0] + box;
+      add_sector(blocks,
+                 {Point<2>(right, centre[1] - half_thickness),
+                  Point<2>(right, centre[1] + half_thickness)},
+                 -at_flag, at_flag, radial, wall);
+    }
+
+    void add_cells_around_cylinder(CellBlocks &blocks, const Positions &x, const Positions &y)
     {
       constexpr double degree = dealii::numbers::PI / 180.;
-      const double at_flag = std::asin(half_thickness / radius);
-      const Positions radial = {0., 0.35, 1.};
       const double left = centre[0] - box, right = centre[0] + box, low = centre[1] - box,
                    high = centre[1] + box;
-      std::vector<Point<2>> upper, lower, side, above, below, flag;
+      std::vector<Point<2>> upper, lower, side, above, below;
       for (const double at : x)
       {
         above.insert(above.begin(), Point<2>(at, high));
@@ -137,12 +100,9 @@ namespace semilunar::mesh
           upper.emplace_back(right, at);
         if (at < centre[1] - half_thickness + 1e-10)
           lower.emplace_back(right, at);
-        if (std::abs(at - centre[1]) < half_thickness + 1e-10)
-          flag.emplace_back(right, at);
       }
       add_sector(blocks, upper, at_flag, 45. * degree, radial, lumen);
       add_sector(blocks, lower, -45. * degree, -at_flag, radial, lumen);
-      add_sector(blocks, flag, -at_flag, at_flag, radial, wall);
       add_sector(blocks, above, 45. * degree, 135. * degree, radial, lumen);
       add_sector(blocks, below, 225. * degree, 315. * degree, radial, lumen);
       add_sector(blocks, side, 135. * degree, 225. * degree, radial, lumen);
@@ -171,25 +131,20 @@ namespace semilunar::mesh
 
   void make_flag_channel(Mesh<2> &mesh)
   {
-    const double top = centre[1] + half_thickness, bottom = centre[1] - half_thickness;
-    const Positions below = between(0., centre[1] - box, 2),
-                    above = between(centre[1] + box, height, 2),
-                    beside = joined(joined(between(centre[1] - box, bottom, 2), {bottom, top}),
-                                    between(top, centre[1] + box, 2)),
-                    upstream = between(0., centre[0] - box, 2),
-                    around = between(centre[0] - box, centre[0] + box, 4),
-                    along = between(centre[0] + box, flag_end, 6),
-                    downstream = growing(flag_end, length, 12, 1.15);
-    Blocks blocks;
-    add_cells_around_cylinder(blocks, around, beside);
-    const Positions all_x = joined(joined(joined(upstream, around), along), downstream);
-    for (const Positions &y : {below, above})
+    const Grid grid;
+    CellBlocks blocks;
+    add_cells_around_cylinder(blocks, grid.around, grid.beside());
+    add_flag_at_cylinder(blocks);
+    const Positions all_x = CellBlocks::joined(
+        CellBlocks::joined(CellBlocks::joined(grid.upstream, grid.around), grid.along),
+        grid.downstream);
+    for (const Positions &y : {grid.below, grid.above})
       blocks.add_rectangles(all_x, y, lumen);
-    blocks.add_rectangles(upstream, beside, lumen);
-    blocks.add_rectangles(downstream, beside, lumen);
-    blocks.add_rectangles(along, between(centre[1] - box, bottom, 2), lumen);
-    blocks.add_rectangles(along, between(top, centre[1] + box, 2), lumen);
-    blocks.add_rectangles(along, {bottom, top}, wall);
+    blocks.add_rectangles(grid.upstream, grid.beside(), lumen);
+    blocks.add_rectangles(grid.downstream, grid.beside(), lumen);
+    blocks.add_rectangles(grid.along, grid.under_flag, lumen);
+    blocks.add_rectangles(grid.along, grid.over_flag, lumen);
+    blocks.add_rectangles(grid.along, grid.flag, wall);
     blocks.create(mesh.triangulation);
     set_boundaries(mesh.triangulation);
     mesh.boundary_ids = {{"inlet", inlet},
@@ -197,5 +152,16 @@ namespace semilunar::mesh
                          {"cylinder", cylinder},
                          {"wall", walls},
                          {"root", root}};
+  }
+
+  void make_flag(Mesh<2> &mesh)
+  {
+    const Grid grid;
+    CellBlocks blocks;
+    add_flag_at_cylinder(blocks);
+    blocks.add_rectangles(grid.along, grid.flag, wall);
+    blocks.create(mesh.triangulation);
+    set_boundaries(mesh.triangulation);
+    mesh.boundary_ids = {{"sides", walls}, {"root", root}};
   }
 } // namespace semilunar::mesh

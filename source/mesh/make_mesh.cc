@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
+#include <semilunar/mesh/blocks.h>
 #include <semilunar/mesh/cylinder_channel.h>
 #include <semilunar/mesh/flag_channel.h>
 #include <semilunar/mesh/parameters.h>
@@ -85,14 +86,32 @@ namespace semilunar::mesh
       check_boundaries(mesh, file);
     }
 
+    // What MeshParameters::check() refuses.
     void make_flag_channel(Mesh<3> &)
     {
-      AssertThrow(false, dealii::ExcInternalError()); // MeshParameters::check
+      AssertThrow(false, dealii::ExcInternalError());
+    }
+
+    void make_flag(Mesh<3> &)
+    {
+      AssertThrow(false, dealii::ExcInternalError());
+    }
+
+    void make_blocks(Mesh<3> &, const BlocksParameters &)
+    {
+      AssertThrow(false, dealii::ExcInternalError());
     }
 
     void make_tube(Mesh<2> &, const TubeParameters &, const std::string &)
     {
-      AssertThrow(false, dealii::ExcInternalError()); // MeshParameters::check
+      AssertThrow(false, dealii::ExcInternalError());
+    }
+
+    /// Whether the mesh has cells of walls.
+    bool has_materials(const Shape shape)
+    {
+      return shape == Shape::pipe || shape == Shape::artery || shape == Shape::flag_in_channel ||
+             shape == Shape::flag || shape == Shape::blocks;
     }
   } // namespace
 
@@ -116,6 +135,12 @@ namespace semilunar::mesh
     case Shape::flag_in_channel:
       make_flag_channel(*mesh);
       break;
+    case Shape::flag:
+      make_flag(*mesh);
+      break;
+    case Shape::blocks:
+      make_blocks(*mesh, parameters.blocks);
+      break;
     case Shape::pipe:
       make_tube(*mesh, parameters.pipe, "Mesh/Pipe");
       break;
@@ -126,8 +151,7 @@ namespace semilunar::mesh
       read_file(*mesh, parameters.file);
       break;
     }
-    if (parameters.shape != Shape::pipe && parameters.shape != Shape::artery &&
-        parameters.shape != Shape::flag_in_channel)
+    if (!has_materials(parameters.shape))
       fill_with_lumen(*mesh);
     refine(*mesh, parameters.refinement);
     return mesh;

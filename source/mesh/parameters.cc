@@ -16,7 +16,9 @@ namespace semilunar::mesh
         {"cylinder in channel", Shape::cylinder_in_channel},
         {"file", Shape::file},
         {"artery", Shape::artery},
-        {"flag in channel", Shape::flag_in_channel}};
+        {"flag in channel", Shape::flag_in_channel},
+        {"flag", Shape::flag},
+        {"blocks", Shape::blocks}};
 
     void add_shape(dealii::ParameterHandler &prm, Shape &shape)
     {
@@ -32,8 +34,9 @@ namespace semilunar::mesh
           "What the mesh fills: a box (boundaries left, right, bottom, top, back, "
           "front), the same box as a channel along x (inlet, outlet, wall), the DFG "
           "benchmark's channel (inlet, outlet, wall, cylinder), the Turek-Hron benchmark's "
-          "with an elastic flag (root, too, in two dimensions), a pipe or an artery "
-          "along z (inlet, outlet, wall), or what a file holds.");
+          "with an elastic flag (root, too, in two dimensions), that flag alone (root, sides), "
+          "a pipe or an artery along z (inlet, outlet, wall), blocks of lumen and wall in the "
+          "plane (left, right, bottom, top; wall_left, ...), or what a file holds.");
       prm.add_action("Shape", [&shape](const std::string &value) { shape = shapes.at(value); });
     }
 
@@ -51,6 +54,28 @@ namespace semilunar::mesh
                         coordinates(Patterns::Double()));
       prm.add_parameter("Cells", box.n_cells, "Cells in each direction",
                         coordinates(Patterns::Integer(1, 10000)));
+      prm.leave_subsection();
+    }
+
+    void add_blocks(dealii::ParameterHandler &prm, BlocksParameters &blocks)
+    {
+      prm.enter_subsection("Blocks");
+      const Patterns::List numbers(Patterns::Double(), 2), counts(Patterns::Integer(1, 10000), 1);
+      prm.add_parameter("x", blocks.x,
+                        "Coordinates of the corners of blocks, increasing [cm]; radii if polar",
+                        numbers);
+      prm.add_parameter("y", blocks.y,
+                        "Coordinates of the corners of blocks, increasing [cm]; angles if polar "
+                        "[degrees]",
+                        numbers);
+      prm.add_parameter("Cells x", blocks.n_cells_x, "Equal cells between each two of them",
+                        counts);
+      prm.add_parameter("Cells y", blocks.n_cells_y, "Equal cells between each two of them",
+                        counts);
+      prm.add_parameter("Materials", blocks.materials,
+                        "What each block consists of: lumen, wall or none; rows of words, divided "
+                        "by semicolons, the row with the smallest y first");
+      prm.add_parameter("Polar", blocks.polar, "Blocks of a ring around the origin");
       prm.leave_subsection();
     }
 
@@ -93,6 +118,7 @@ namespace semilunar::mesh
     add_shape(prm, shape);
     refinement.add_parameters(prm);
     add_box(prm, box);
+    add_blocks(prm, blocks);
     add_cylinder(prm, cylinder);
     prm.enter_subsection("Pipe");
     pipe.add_parameters(prm, false);
@@ -110,9 +136,12 @@ namespace semilunar::mesh
     if (dim == 2 && (shape == Shape::pipe || shape == Shape::artery))
       throw InputError("Mesh/Shape", shape == Shape::pipe ? "pipe" : "artery",
                        "a tube has three dimensions", "set Dimension = 3 or another shape");
-    if (dim == 3 && shape == Shape::flag_in_channel)
-      throw InputError("Mesh/Shape", "flag in channel", "this channel has two dimensions",
+    if (dim == 3 &&
+        (shape == Shape::flag_in_channel || shape == Shape::flag || shape == Shape::blocks))
+      throw InputError("Mesh/Shape", "", "this shape has two dimensions",
                        "set Dimension = 2 or another shape");
+    if (shape == Shape::blocks)
+      blocks.check();
     if (shape == Shape::artery)
       artery.check("Mesh/Artery");
     if (shape == Shape::pipe)

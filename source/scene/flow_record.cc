@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
 #include <semilunar/core/nearest_name.h>
+#include <semilunar/output/oscillation.h>
 #include <semilunar/scene/flow_record.h>
 
 #include <algorithm>
@@ -12,17 +13,6 @@ namespace semilunar::scene
   namespace
   {
     const char *const axes[] = {"x", "y", "z"};
-
-    /// Extremum of the parabola through three points, the middle one being the largest.
-    std::pair<double, double> vertex(const std::array<double, 3> &t, const std::array<double, 3> &v)
-    {
-      const double left = (v[1] - v[0]) / (t[1] - t[0]), right = (v[2] - v[1]) / (t[2] - t[1]);
-      const double curvature = (right - left) / (t[2] - t[0]);
-      if (!(std::abs(curvature) > 0.))
-        return {t[1], v[1]};
-      const double time = 0.5 * (t[0] + t[1]) - 0.5 * left / curvature;
-      return {time, v[0] + left * (time - t[0]) + curvature * (time - t[0]) * (time - t[1])};
-    }
 
     std::string flow_unit(const int dim)
     {
@@ -68,7 +58,9 @@ namespace semilunar::scene
     for (const output::TimeSeries::Column &title : more)
       columns.push_back({title});
     for (const std::string &name : parameters.peaks)
-      find(name);
+      find(name, "Output/Peaks");
+    for (const std::string &name : parameters.oscillations)
+      find(name, "Output/Oscillations");
     if (!folder.empty())
     {
       std::vector<output::TimeSeries::Column> titles;
@@ -114,7 +106,8 @@ namespace semilunar::scene
   }
 
   template <int dim>
-  const typename FlowRecord<dim>::Column &FlowRecord<dim>::find(const std::string &name) const
+  const typename FlowRecord<dim>::Column &FlowRecord<dim>::find(const std::string &name,
+                                                                const std::string &entry) const
   {
     std::vector<std::string> names;
     for (const Column &column : columns)
@@ -123,7 +116,7 @@ namespace semilunar::scene
         return column;
       names.push_back(column.title.name);
     }
-    throw InputError("Output/Peaks", name, "there is no such column", suggest(name, names));
+    throw InputError(entry, name, "there is no such column", suggest(name, names));
   }
 
   template <int dim>
@@ -189,16 +182,13 @@ namespace semilunar::scene
   void FlowRecord<dim>::add_peak(const std::string &name, const double sign,
                                  RunResults &results) const
   {
-    const Column &column = find(name);
+    const Column &column = find(name, "Output/Peaks");
     const std::vector<double> &times = columns[0].values, &values = column.values;
     const std::size_t k =
         std::max_element(values.begin(), values.end(),
                          [&](const double a, const double b) { return sign * a < sign * b; }) -
         values.begin();
-    std::pair<double, double> peak = {times[k], values[k]};
-    if (k > 0 && k + 1 < values.size())
-      peak = vertex({{times[k - 1], times[k], times[k + 1]}},
-                    {{values[k - 1], values[k], values[k + 1]}});
+    const std::pair<double, double> peak = output::extremum(times, values, k);
     const std::string what = sign > 0. ? "max_" : "min_";
     results.quantities.push_back({what + name, peak.second, column.title.unit});
     results.quantities.push_back({"time_of_" + what + name, peak.first, "s"});
@@ -207,11 +197,12 @@ namespace semilunar::scene
   template <int dim>
   double FlowRecord<dim>::largest_volume_error() const
   {
-    const std::vector<double> &times = columns[0].values, &volumes = find("lumen_volume").values;
+    const std::vector<double> &times = columns[0].values,
+                              &volumes = find("lumen_volume", "").values;
     std::vector<double> outflow(times.size(), 0.);
     for (const auto &[name, id] : boundary_ids)
     {
-      const std::vector<double> &rates = find("flow_rate_" + name).values;
+      const std::vector<double> &rates = find("flow_rate_" + name, "").values;
       std::transform(rates.begin(), rates.end(), outflow.begin(), outflow.begin(), std::plus<>());
     }
     double inside = volumes[0], largest = 0.;
@@ -224,6 +215,18 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  void FlowRecord<dim>::add_oscillation(const std::string &name, RunResults &results) const
+  {
+    const Column &column = find(name, "Output/Oscillations");
+    const auto found = output::last_oscillation(columns[0].values, column.values);
+    results.quantities.insert(results.quantities.end(),
+                              {{"mean_" + name, found.mean, column.title.unit},
+                               {"amplitude_" + name, found.amplitude, column.title.unit},
+                               {"frequency_" + name, found.frequency, "1/s"},
+                               {"amplitude_change_" + name, found.amplitude_change, "-"}});
+  }
+
+  template <int dim>
   void FlowRecord<dim>::add_quantities(RunResults &results) const
   {
     if (columns[0].values.empty())
@@ -233,6 +236,8 @@ namespace semilunar::scene
     for (const std::string &name : parameters.peaks)
       for (const double sign : {1., -1.})
         add_peak(name, sign, results);
+    for (const std::string &name : parameters.oscillations)
+      add_oscillation(name, results);
     const std::vector<double> &iterations = columns[5].values;
     double sum = 0.;
     for (const double n : iterations)

@@ -38,6 +38,10 @@ namespace semilunar::scene
         "Columns of the time series whose largest and smallest values and their times "
         "are reported",
         Patterns::List(Patterns::Anything()));
+    prm.add_parameter("Oscillations", oscillations,
+                      "Columns of the time series of which mean ((max + min) / 2), amplitude and "
+                      "frequency of the last period are reported",
+                      Patterns::List(Patterns::Anything()));
     prm.leave_subsection();
   }
 

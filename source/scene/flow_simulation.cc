@@ -130,9 +130,15 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  mesh::Material FlowSimulation<dim>::measured() const
+  {
+    return solver->spaces().has_lumen() ? mesh::lumen : mesh::wall;
+  }
+
+  template <int dim>
   void FlowSimulation<dim>::report_size() const
   {
-    const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, mapping);
+    const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, mapping, measured());
     context.log.line(mesh::describe(quality) + ", " + std::to_string(n_unknowns()) + " unknowns");
     if (companion)
       companion->report_size(context.log);
@@ -351,7 +357,8 @@ namespace semilunar::scene
     auto &results = context.results;
     record.add_quantities(results);
     const auto stress = output::wall_shear_stress(state(), prm.boundaries.walls<dim>(*mesh));
-    const mesh::Quality quality = mesh::measure<dim>(mesh->triangulation, solver->mapping());
+    const mesh::Quality quality =
+        mesh::measure<dim>(mesh->triangulation, solver->mapping(), measured());
     results.unknowns = n_unknowns();
     if (companion)
       companion->add_quantities(results);

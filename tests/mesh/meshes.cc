@@ -63,6 +63,16 @@ std::unique_ptr<mesh::Mesh<dim>> report(const std::string &name,
   return mesh;
 }
 
+void report_solid(const std::string &name, const mesh::MeshParameters &parameters)
+{
+  const auto mesh = mesh::make_mesh<2>(parameters, MPI_COMM_WORLD);
+  const mesh::Quality quality =
+      mesh::measure<2>(mesh->triangulation, dealii::MappingQ<2>(3), mesh::wall);
+  if (first_rank())
+    tests::log() << name << ": " << mesh::describe(quality) << ", volume " << quality.volume
+                 << std::endl;
+}
+
 void expect_error(const std::string &what, const std::function<void()> &action)
 {
   try
@@ -125,6 +135,40 @@ void test_refinement()
   }
 }
 
+/// The Turek-Hron flag, with the channel and alone, and blocks of two materials.
+void test_walls()
+{
+  mesh::MeshParameters parameters;
+  parameters.shape = mesh::Shape::flag_in_channel;
+  report<2>("flag in a channel", parameters);
+  parameters.shape = mesh::Shape::flag;
+  report_solid("flag", parameters);
+
+  parameters.shape = mesh::Shape::blocks;
+  auto &blocks = parameters.blocks;
+  blocks.x = {0., 1., 3., 4.};
+  blocks.n_cells_x = {1, 4, 1};
+  blocks.y = {0., 1., 1.25};
+  blocks.n_cells_y = {2, 1};
+  blocks.materials = "lumen lumen lumen; none wall none";
+  report<2>("channel with a wall", parameters);
+  report_solid("its wall", parameters);
+  blocks.x = {1., 1.5, 2.};
+  blocks.n_cells_x = {1, 1};
+  blocks.y = {0., 360.};
+  blocks.n_cells_y = {12};
+  blocks.materials = "wall lumen";
+  blocks.polar = true;
+  report<2>("ring around a ring", parameters);
+  report_solid("that ring", parameters);
+  blocks.materials = "wall blood";
+  expect_error("an unknown material", [&]() { mesh::make_mesh<2>(parameters, MPI_COMM_WORLD); });
+  blocks.materials = "wall";
+  expect_error("a block too few", [&]() { mesh::make_mesh<2>(parameters, MPI_COMM_WORLD); });
+  blocks.x = {1., 1., 2.};
+  expect_error("blocks of no width", [&]() { mesh::make_mesh<2>(parameters, MPI_COMM_WORLD); });
+}
+
 int main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -142,4 +186,5 @@ int main(int argc, char *argv[])
   report<3>("pipe", parameters);
   test_file();
   test_refinement();
+  test_walls();
 }

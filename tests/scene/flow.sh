@@ -86,6 +86,21 @@ expect_between flag A_dy 8.127e-4 8.291e-4
 expect_between flag force_with_wall_x 14.151 14.438
 expect_between flag force_with_wall_y 0.7561 0.7714
 
+# Its solid alone under gravity (CSM1): within 0.5 % of -7.18767e-3, -66.1023e-3.
+fsi=$scenes/../fsi
+expect 0 'done in' "$fsi/csm1.prm" --output solid
+expect_between solid A_dx -7.2236e-3 -7.1517e-3
+expect_between solid A_dy -6.6433e-2 -6.5772e-2
+
+# A ring in fluid, exact frequency 1.804513172 / (2 pi), within 0.2 %.
+expect 0 'done in' "$fsi/ring.prm" --output ring
+expect_between ring frequency_A_dx 0.28662 0.28777
+
+# A massless wall: the published lowest position is -0.21600, at 0.46875. Within 0.5 %.
+expect 0 'done in' "$fsi/collapsible-channel.prm" --set Time/End=0.5 --output collapsible
+expect_between collapsible min_M_dy -0.21708 -0.21492
+expect_between collapsible time_of_min_M_dy 0.4664 0.4711
+
 # One answer on one and on two ranks.
 "$mpiexec" -n 2 "$program" "$scenes/poiseuille.prm" --set Time/End=1 --quiet --output ranks ||
   failed "two ranks"
@@ -115,6 +130,7 @@ expect_between adapted cells 500 2000
 expect_between adapted flow_imbalance 0 1e-11
 
 # Wrong input.
+expect 1 "no such column" "$fsi/csm1.prm" --set "Output/Oscillations=A_dz" --dry-run
 cavity=$scenes/cavity.prm
 types="left: wall; right: wall; bottom: wall"
 expect 1 "boundary 'top' has no type" "$cavity" --set "Boundary conditions/Types=$types" --dry-run

@@ -18,7 +18,7 @@ namespace semilunar::flow
     double cfl = 0.;                            ///< largest |u - uhat| dt degree / h
     double cell_reynolds = 0.;                  ///< largest rho |u - uhat| h / (degree mu)
     double time_error = 0.; ///< estimate relative to the largest velocity; 0 in first steps
-    double min_scaled_jacobian = 0.; ///< of the cells of the lumen, with an elastic wall
+    double min_scaled_jacobian = 1.; ///< of the cells of the lumen, with an elastic wall
     double interface_error = 0.;     ///< largest distance of wall and mesh at the end [cm]
     unsigned int n_geometry = 0;     ///< solutions on positions of the wall
     std::map<dealii::types::boundary_id, double> flow_rate;     ///< out of open parts [cm^3/s]
@@ -164,7 +164,7 @@ namespace semilunar::flow
     MeshNodes<dim> nodes;
     Equations<dim> equations;
     SaddlePointSolver<dim> linear_solver;
-    std::unique_ptr<MeshMotion<dim>> motion; ///< after an elastic wall; nullptr: there is none
+    std::unique_ptr<MeshMotion<dim>> motion; ///< of blood in an elastic wall, or nullptr
     VectorFunction<dim> body_force, mesh_motion;
 
     // Velocities and pressures at the new time (equal to the old one between steps), at the old

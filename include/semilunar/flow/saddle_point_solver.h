@@ -47,6 +47,11 @@ namespace semilunar::flow
     void precondition(FlowVector &z, const FlowVector &r) const;
     /// Equation (14).
     void solve_blocks(FlowVector &z, const FlowVector &r) const;
+    /// Whether there is blood, and boundaries let it out.
+    bool has_balance() const
+    {
+      return equations.spaces().has_lumen() && !equations.conditions().closed();
+    }
     /// Make what equation (17) needs of the current mesh and factors. Collective.
     void prepare_balance(bool new_factors);
     /// The surplus of volume of r that z leaves, 1^T r_p - g^T z_u, as multiple of the response to

@@ -74,7 +74,8 @@ namespace semilunar::flow
     /// Batches of wall cells follow, numbers n_batches() and up, owned cells first as well.
     unsigned int end_of_owned_wall() const { return owned_wall_end; }
     unsigned int end_of_wall() const { return n_cells_of_batch.size(); }
-    /// Whether any rank has wall cells.
+    /// Whether any rank has cells of the lumen, of the wall.
+    bool has_lumen() const { return lumen_exists; }
     bool has_wall() const { return wall_exists; }
     unsigned int n_filled_lanes(const unsigned int batch) const { return n_cells_of_batch[batch]; }
     /// Stored node of each lane, [lexicographic node]; lanes without a cell repeat the first.
@@ -109,7 +110,7 @@ namespace semilunar::flow
     HangingNodes hanging_velocity, hanging_pressure;
 
     unsigned int owned_batches = 0, lumen_batches = 0, owned_wall_end = 0;
-    bool wall_exists = false;
+    bool lumen_exists = false, wall_exists = false;
     std::vector<unsigned int> n_cells_of_batch;
     std::vector<NodesOfLanes> velocity_nodes_of_batch, pressure_nodes_of_batch;
     std::vector<CellLane> lane_of_cell;

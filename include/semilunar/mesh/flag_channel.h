@@ -10,6 +10,9 @@ namespace semilunar::mesh
   /// cells behind it (doc/theory/mesh.md). Boundaries: `inlet`, `outlet`, `wall`, `cylinder`, and
   /// `root`, where the flag is fixed to the cylinder.
   void make_flag_channel(Mesh<2> &mesh);
+
+  /// The flag alone. Boundaries: `root` and `sides`.
+  void make_flag(Mesh<2> &mesh);
 } // namespace semilunar::mesh
 
 #endif

@@ -19,7 +19,9 @@ namespace semilunar::mesh
     flag_in_channel,
     pipe,
     artery,
-    file
+    file,
+    flag,
+    blocks
   };
 
   /// A box [lower, upper] of equal cells.
@@ -27,6 +29,18 @@ namespace semilunar::mesh
   {
     std::vector<double> lower = {0., 0., 0.}, upper = {1., 1., 1.}; ///< corners [cm]
     std::vector<unsigned int> n_cells = {4, 4, 4};                  ///< in each direction
+  };
+
+  /// Rectangular blocks of equal cells in the plane, or those of a ring around the origin.
+  struct BlocksParameters
+  {
+    std::vector<double> x = {0., 1.}, y = {0., 1.}; ///< of their corners [cm]; radii, angles
+    std::vector<unsigned int> n_cells_x = {4}, n_cells_y = {4};
+    std::string materials = "lumen"; ///< words lumen, wall, none; rows divided by semicolons
+    bool polar = false;              ///< x: radii, y: angles [degrees]
+
+    /// @throws InputError for what does not fit together
+    void check() const;
   };
 
   /// The channel with a cylinder of the DFG benchmarks.
@@ -51,6 +65,7 @@ namespace semilunar::mesh
   {
     Shape shape = Shape::box;
     BoxParameters box;
+    BlocksParameters blocks;
     CylinderChannelParameters cylinder;
     TubeParameters pipe = TubeParameters::pipe(0.5, 2.), artery = TubeParameters::artery();
     FileParameters file;

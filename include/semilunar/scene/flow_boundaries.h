@@ -28,7 +28,7 @@ namespace semilunar::scene
                                              const Constants &constants,
                                              const VectorField<dim> &exact) const;
 
-    /// The boundaries of type wall.
+    /// The boundaries of the lumen of type wall.
     template <int dim>
     std::set<dealii::types::boundary_id> walls(const mesh::Mesh<dim> &mesh) const;
   };

@@ -32,7 +32,7 @@ namespace semilunar::scene
     void add(const flow::StepReport &report, flow::FlowSolver<dim> &solver,
              const output::FlowState<dim> &state, const std::vector<double> &more = {});
 
-    /// The last value of each column, peaks, and the flow balance. @throws InputError for peaks of
+    /// The last value of each column, peaks, oscillations and the flow balance. @throws InputError for peaks of
     /// columns that do not exist
     void add_quantities(RunResults &results) const;
 
@@ -64,10 +64,12 @@ namespace semilunar::scene
       columns.push_back({{name, unit}});
     }
     void declare_columns();
-    const Column &find(const std::string &name) const;
+    /// @throws InputError naming the entry in which the name stands
+    const Column &find(const std::string &name, const std::string &entry) const;
     /// Of the lumen against what flowed in and out since the first step.
     double largest_volume_error() const;
     void add_peak(const std::string &name, double sign, RunResults &results) const;
+    void add_oscillation(const std::string &name, RunResults &results) const;
 
     const FlowRecordParameters parameters;
     const mesh::BoundaryIds boundary_ids; ///< of the lumen

@@ -20,7 +20,7 @@ namespace semilunar::scene
     std::vector<std::string> forces;
     double force_scale = 1.;
     std::string probes, pressure_differences, wall_probes;
-    std::vector<std::string> peaks;
+    std::vector<std::string> peaks, oscillations;
 
     void add_parameters(dealii::ParameterHandler &prm);
   };

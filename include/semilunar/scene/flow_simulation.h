@@ -38,6 +38,8 @@ namespace semilunar::scene
     /// The mesh has other cells now.
     void renew_dofs();
     void report_size() const;
+    /// What cells are reported: those of the lumen, or of a solid alone.
+    mesh::Material measured() const;
     /// A step of at most this size, smaller if steps are controlled and it fails.
     flow::StepReport step(double dt);
     double next_dt(double dt) const;
