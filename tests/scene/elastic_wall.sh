@@ -52,7 +52,7 @@ same finer finer-two max_largest_wall_displacement 1e-3
 expect 0 'done in' "$base" --set Time/End=4e-3 --set Mesh/Adaptivity/Interval=2 --output adapted
 expect_between adapted cells 1000 3000
 
-expect 0 'done in' "$scenes/valve/fsi-prestress.prm" --set "Valve/Elements along=8" \
+expect 0 'done in' "$scenes/valve/fsi.prm" --set "Valve/Elements along=8" \
   --set "Valve/Elements across=8" --set "Mesh/Artery/Cells around=12" --set Time/End=2e-3 \
   --set Refinement/Levels=1 --set Refinement/Width=1 --set Refinement/Interval=2 --output valve
 expect_between valve cells 2000 4000
