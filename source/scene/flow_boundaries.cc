@@ -210,16 +210,11 @@ namespace semilunar::scene
   template <int dim>
   std::set<dealii::types::boundary_id> FlowBoundaries::walls(const mesh::Mesh<dim> &mesh) const
   {
-    std::set<dealii::types::boundary_id> of_lumen, ids;
-    for (const auto &cell : mesh.triangulation.cell_iterators_on_level(0))
-      if (cell->material_id() == mesh::lumen)
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary())
-            of_lumen.insert(face->boundary_id());
+    std::set<dealii::types::boundary_id> ids;
+    const mesh::BoundaryIds of_lumen = mesh.lumen_boundary_ids();
     for (const auto &[name, kind] : named_parts(types, section + "Types"))
-      if (const auto id = mesh.boundary_id(name, section + "Types");
-          kind == "wall" && of_lumen.count(id) > 0)
-        ids.insert(id);
+      if (kind == "wall" && of_lumen.count(name) > 0)
+        ids.insert(of_lumen.at(name));
     return ids;
   }
 
