@@ -24,16 +24,18 @@ namespace semilunar::flow
       return result;
     }
 
-    /// Calls visit(cell, its numbers at the points of all batches begin at, lane).
+    /// Calls visit(cell, its numbers at the points of all batches begin at, lane) for owned cells
+    /// of the lumen: those of a wall have no such numbers.
     template <int dim, class Visit>
-    void for_owned_cells(const dealii::DoFHandler<dim> &dofs, const Spaces<dim> &spaces,
-                         const Visit &visit)
+    void for_owned_lumen_cells(const dealii::DoFHandler<dim> &dofs, const Spaces<dim> &spaces,
+                               const Visit &visit)
     {
       for (const auto &cell : dofs.active_cell_iterators())
         if (cell->is_locally_owned())
         {
           const CellLane where = spaces.lane_of(cell->active_cell_index());
-          visit(cell, std::size_t(where.batch) * dofs.get_fe().dofs_per_cell, where.lane);
+          if (where.batch < spaces.n_owned_batches())
+            visit(cell, std::size_t(where.batch) * dofs.get_fe().dofs_per_cell, where.lane);
         }
     }
   } // namespace
@@ -84,13 +86,13 @@ namespace semilunar::flow
       return;
     make_point_space();
     dealii::Vector<double> values(point_dofs->get_fe().dofs_per_cell);
-    for_owned_cells(*point_dofs, spaces,
-                    [&](const auto &cell, const auto first, const auto lane)
-                    {
-                      for (unsigned int q = 0; q < values.size(); ++q)
-                        values[q] = (*state.at_points)[first + q][lane];
-                      cell->set_dof_values(values, point_values);
-                    });
+    for_owned_lumen_cells(*point_dofs, spaces,
+                          [&](const auto &cell, const auto first, const auto lane)
+                          {
+                            for (unsigned int q = 0; q < values.size(); ++q)
+                              values[q] = (*state.at_points)[first + q][lane];
+                            cell->set_dof_values(values, point_values);
+                          });
     point_values.update_ghost_values();
   }
 
@@ -148,13 +150,13 @@ namespace semilunar::flow
     const unsigned int n = point_dofs->get_fe().dofs_per_cell;
     state.at_points->assign(std::size_t(spaces.n_owned_batches()) * n, Lanes{});
     dealii::Vector<double> values(n);
-    for_owned_cells(*point_dofs, spaces,
-                    [&](const auto &cell, const auto first, const auto lane)
-                    {
-                      cell->get_dof_values(point_values, values);
-                      for (unsigned int q = 0; q < n; ++q)
-                        (*state.at_points)[first + q][lane] = values[q];
-                    });
+    for_owned_lumen_cells(*point_dofs, spaces,
+                          [&](const auto &cell, const auto first, const auto lane)
+                          {
+                            cell->get_dof_values(point_values, values);
+                            for (unsigned int q = 0; q < n; ++q)
+                              (*state.at_points)[first + q][lane] = values[q];
+                          });
   }
 
   template <int dim>

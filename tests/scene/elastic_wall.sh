@@ -48,16 +48,33 @@ program=$whole_program
 same finer finer-two lumen_volume 1e-6
 same finer finer-two max_largest_wall_displacement 1e-3
 
-# A mesh that changes under way, by the flow and by the leaflets.
-expect 0 'done in' "$base" --set Time/End=4e-3 --set Mesh/Adaptivity/Interval=2 --output adapted
-expect_between adapted cells 1000 3000
+# goes_on RUN STEP ARGUMENT...: killed in its last step, after a checkpoint at this one, it goes on bit for bit.
+goes_on() {
+  local run=$1 step=$2
+  shift 2
+  cp -r "$run" "killed-$run"
+  expect 0 "going on from step $step" "$@" --output "killed-$run" --restart
+  cmp "$run/timeseries.csv" "killed-$run/timeseries.csv" || failed "$run: differs after a restart"
+  cmp <(quantities "$run") <(quantities "killed-$run") || failed "$run: quantities after a restart"
+}
 
-expect 0 'done in' "$scenes/valve/fsi.prm" --set "Valve/Elements along=8" \
-  --set "Valve/Elements across=8" --set "Mesh/Artery/Cells around=12" --set Time/End=2e-3 \
-  --set Refinement/Levels=1 --set Refinement/Width=1 --set Refinement/Interval=2 --output valve
+# A mesh that changes under way, by the flow and by the leaflets.
+adapted=("$base" --set Time/End=4e-3 --set Mesh/Adaptivity/Interval=2 --set "Checkpoints/Step interval=3")
+program=$folder/by_2_ranks
+expect 0 'done in' "${adapted[@]}" --output adapted
+expect_between adapted cells 1000 3000
+goes_on adapted 3 "${adapted[@]}"
+program=$whole_program
+
+valve=("$scenes/valve/fsi.prm" --set "Valve/Elements along=8"
+  --set "Valve/Elements across=8" --set "Mesh/Artery/Cells around=12" --set Time/End=2e-3
+  --set Refinement/Levels=1 --set Refinement/Width=1 --set Refinement/Interval=2
+  --set "Checkpoints/Step interval=3")
+expect 0 'done in' "${valve[@]}" --output valve
 expect_between valve cells 2000 4000
 expect_between valve rejected_steps 0 0
 expect_between valve largest_volume_error 0 0.002 # of 90
+goes_on valve 3 "${valve[@]}"
 
 # A section Wall without a wall.
 rigid=$scenes/flow/artery.prm
