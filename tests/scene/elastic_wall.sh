@@ -10,12 +10,6 @@ scenes=$(realpath "$2")
 mpiexec=$3
 source "$(dirname "$0")/expect.sh"
 export DEAL_II_NUM_THREADS=1
-whole_program=$program
-cat >by_2_ranks <<END_SCRIPT
-#!/bin/bash
-exec "$mpiexec" -n 2 "$whole_program" "\$@"
-END_SCRIPT
-chmod +x by_2_ranks
 
 # same RUN RUN QUANTITY SHARE: they differ by no more than this share.
 same() {
@@ -29,12 +23,12 @@ base=$scenes/hard/artery/base.prm
 
 # In balance with 80 mmHg everywhere, nothing moves; a linear wall would by 0.1 cm.
 still=("Boundary conditions/Pressures=inlet: 80*mmHg; outlet: 80*mmHg" "Time/End=2e-3")
-for ranks in one two; do
-  [[ $ranks == two ]] && program=$folder/by_2_ranks
+for ranks in 1 2; do
+  on_ranks $ranks
   expect 0 'done in' "$base" --set "${still[0]}" --set "${still[1]}" --output still-$ranks
   expect_between still-$ranks max_largest_wall_displacement 0 2e-5
 done
-program=$whole_program
+on_ranks 1
 
 # Finer around the valve, wall and all.
 finer=(--set "Mesh/Box refinements=1" --set "Mesh/Boxes=-2.5, -2.5, 0, 2.5, 2.5, 2" --set Time/End=2e-3
@@ -42,9 +36,9 @@ finer=(--set "Mesh/Box refinements=1" --set "Mesh/Boxes=-2.5, -2.5, 0, 2.5, 2.5,
 expect 0 'done in' "$base" "${finer[@]}" --output finer
 expect_between finer cells 2000 5000
 expect_between finer largest_volume_error 0 0.01
-program=$folder/by_2_ranks
+on_ranks 2
 expect 0 'done in' "$base" "${finer[@]}" --output finer-two
-program=$whole_program
+on_ranks 1
 same finer finer-two lumen_volume 1e-6
 same finer finer-two max_largest_wall_displacement 1e-3
 
@@ -60,11 +54,11 @@ goes_on() {
 
 # A mesh that changes under way, by the flow and by the leaflets.
 adapted=("$base" --set Time/End=4e-3 --set Mesh/Adaptivity/Interval=2 --set "Checkpoints/Step interval=3")
-program=$folder/by_2_ranks
+on_ranks 2
 expect 0 'done in' "${adapted[@]}" --output adapted
 expect_between adapted cells 1000 3000
 goes_on adapted 3 "${adapted[@]}"
-program=$whole_program
+on_ranks 1
 
 valve=("$scenes/valve/fsi.prm" --set "Valve/Elements along=8"
   --set "Valve/Elements across=8" --set "Mesh/Artery/Cells around=12" --set Time/End=2e-3

@@ -4,6 +4,7 @@
 # calls `finish`. They run in an empty folder.
 set -u
 program=$(realpath "$1")
+whole_program=$program
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -32,6 +33,15 @@ expect() {
   [[ $actual -eq $code ]] || failed "$* ends with $actual, not $code"
   [[ $(wc -l <err) -eq $lines ]] || failed "$* prints $(wc -l <err) lines on standard error"
   [[ -z $text ]] || grep -qF -- "$text" $stream || failed "$* does not say '$text'"
+}
+
+# on_ranks N: from here on the program runs on that many ranks, by $mpiexec.
+on_ranks() {
+  program=$whole_program
+  [[ $1 -eq 1 ]] && return
+  program=$folder/on_$1_ranks
+  printf '#!/bin/bash\nexec "%s" -n %d "%s" "$@"\n' "$mpiexec" "$1" "$whole_program" >"$program"
+  chmod +x "$program"
 }
 
 # quantities RUN: the quantities in the summary of a run, one per line as it wrote them.

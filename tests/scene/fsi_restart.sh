@@ -10,13 +10,6 @@ mpiexec=$3
 source "$(dirname "$0")/expect.sh"
 export DEAL_II_NUM_THREADS=1
 
-whole_program=$program
-cat >by_2_ranks <<END_SCRIPT
-#!/bin/bash
-exec "$mpiexec" -n 2 "$whole_program" "\$@"
-END_SCRIPT
-chmod +x by_2_ranks
-
 n_steps=12
 arguments=("$scenes/fsi-rigid.prm" --set "Valve/Elements along=8" --set "Valve/Elements across=8"
   --set "Mesh/Artery/Cells around=12" --set "Time/Step=1e-3" --set "Time/End=0.012"
@@ -45,7 +38,7 @@ until_step() {
 }
 
 for ranks in 1 2; do
-  [[ $ranks -eq 2 ]] && program=$folder/by_2_ranks
+  on_ranks $ranks
   # checkpoints of steps make the run forget, as one does that goes on from there
   checkpoints=(--set "Checkpoints/Step interval=5")
   expect 0 "step $n_steps," "${arguments[@]}" "${checkpoints[@]}" --output whole-$ranks
@@ -56,7 +49,7 @@ for ranks in 1 2; do
   expect 0 'going on from step 10' "${arguments[@]}" "${checkpoints[@]}" --output killed-$ranks --restart
   same_files whole-$ranks killed-$ranks
 done
-program=$whole_program
+on_ranks 1
 
 # The newest checkpoint is damaged: the one before does.
 cp -r whole-1 damaged
@@ -91,7 +84,7 @@ expect 1 'the scene has a valve of 216 elements' "${arguments[@]/across=8/across
   --output interrupted --restart
 
 # The same with a mesh that follows the leaflets, and elements that get more points.
-program=$folder/by_2_ranks
+on_ranks 2
 arguments+=(--set "Refinement/Levels=1" --set "Refinement/Width=0.5"
   --set "Boundary conditions/Pressure table/Values=0: 80, 0.004: 150"
   --set "Boundary conditions/Pressure table/Periodic=false")
@@ -101,6 +94,6 @@ expect 0 'the mesh has followed' "${arguments[@]}" "${checkpoints[@]}" --output 
 cp -r whole-follow killed-follow
 expect 0 'the mesh has followed' "${arguments[@]}" "${checkpoints[@]}" --output killed-follow --restart
 same_files whole-follow killed-follow
-program=$whole_program
+on_ranks 1
 
 finish

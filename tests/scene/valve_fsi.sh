@@ -49,15 +49,9 @@ expect_between elastic largest_volume_error 0 0.01 # of 90
 expect_between elastic largest_power_imbalance 0 1e-8
 expect_between elastic rejected_steps 0 0
 
-whole_program=$program
-cat >by_2_ranks <<END_SCRIPT
-#!/bin/bash
-exec "$mpiexec" -n 2 "$whole_program" "\$@"
-END_SCRIPT
-chmod +x by_2_ranks
-program=$folder/by_2_ranks
+on_ranks 2
 valve two
-program=$whole_program
+on_ranks 1
 for name in peak_flow_rate max_mipe_over_time largest_pressure_difference; do
   value=$(quantity one $name)
   expect_between two $name "$(awk -v v="$value" 'BEGIN { print 0.9999 * v }')" \

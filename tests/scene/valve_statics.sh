@@ -44,16 +44,10 @@ expect_between closed orifice_area 0 2e-3
 DEAL_II_NUM_THREADS=2 valve closed_by_2_threads closure 10
 same closed closed_by_2_threads
 
-whole_program=$program
-cat >by_2_ranks <<END_SCRIPT
-#!/bin/bash
-exec "$mpiexec" -n 2 "$whole_program" "\$@"
-END_SCRIPT
-chmod +x by_2_ranks
-program=$folder/by_2_ranks
+on_ranks 2
 valve closed_by_2_ranks closure 10
 same closed closed_by_2_ranks
-program=$whole_program
+on_ranks 1
 
 # One leaflet that stands for all gives their answers with a third of the unknowns.
 expect 0 'step 1: load factor 1' "$scenes/closure.prm" --output one_of_three \
@@ -96,11 +90,10 @@ expect_between adapted estimated_error 0.1 0.25
 elements=$(awk -F, 'END { print $2 }' adapted/adaptivity.csv)
 expect 0 "$elements elements" "$scenes/structural-cycle.prm" --dry-run "${t_spline[@]}" \
   --set "Valve/T-spline/Sizes file=adapted/elements.csv"
-whole_program=$program
-program=$folder/by_2_ranks
+on_ranks 2
 expect 0 'round 1: estimated error' "$scenes/closure.prm" --output adapted_by_2_ranks \
   "${t_spline[@]}" --set "Adaptivity/Rounds=1"
-program=$whole_program
+on_ranks 1
 cmp -s <(head -n 3 adapted/adaptivity.csv) adapted_by_2_ranks/adaptivity.csv ||
   failed "two ranks refine differently"
 expect 1 'Adaptivity/Rounds = "1": only T-splines are refined locally' "$scenes/closure.prm" \
