@@ -90,10 +90,12 @@ namespace semilunar::output
       first = crossings[crossings.size() - std::min(crossings.size(), max_periods + 2)].low;
     }
     const std::size_t n = crossings.size(), n_periods = std::min(n - 1, max_periods);
-    const Range last(times, values, crossings[n - 2].after, crossings[n - 1].after),
-        before(times, values, crossings[n - 3].after, crossings[n - 2].after);
+    const std::size_t span = n > 4 ? 2 : 1;
+    const auto range = [&](const std::size_t end)
+    { return Range(times, values, crossings[end - span].after, crossings[end].after); };
+    const Range last = range(n - 1), before = range(n - 1 - span);
     return {last.mean(), last.amplitude(),
             n_periods / (crossings[n - 1].time - crossings[n - 1 - n_periods].time),
-            last.amplitude() / before.amplitude() - 1.};
+            std::pow(last.amplitude() / before.amplitude(), 1. / span) - 1.};
   }
 } // namespace semilunar::output

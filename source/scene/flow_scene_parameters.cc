@@ -40,7 +40,7 @@ namespace semilunar::scene
         Patterns::List(Patterns::Anything()));
     prm.add_parameter("Oscillations", oscillations,
                       "Columns of the time series of which mean ((max + min) / 2), amplitude and "
-                      "frequency of the last period are reported",
+                      "frequency of the last two periods are reported",
                       Patterns::List(Patterns::Anything()));
     prm.leave_subsection();
   }

@@ -40,6 +40,15 @@ int main()
   tests::check("second harmonic: amplitude", two.amplitude - 1., 1e-4);
   tests::check("second harmonic: frequency", two.frequency - f, 1e-4);
 
+  // Every second period is a smaller one: max and min of b sin a - cos 2a are at a = 90 degrees and
+  // where sin a = -b / 4.
+  const auto unlike =
+      of([&](const double t) { return 0.4 * wave(t) - std::cos(4. * pi * f * t); }, 10.);
+  tests::check("unlike periods: mean", unlike.mean - 0.5 * (1.4 - 1.02), 1e-4);
+  tests::check("unlike periods: amplitude", unlike.amplitude - 0.5 * (1.4 + 1.02), 1e-4);
+  tests::check("unlike periods: frequency", unlike.frequency / (2. * f) - 1., 1e-2);
+  tests::check("unlike periods: change", unlike.amplitude_change, 1e-4);
+
   // A start with another mean that dies out, and ripple around the mean.
   const auto start =
       of([&](const double t) { return 5. * std::exp(-t) + (1. - std::exp(-t)) * wave(t); }, 12.);

@@ -7,13 +7,15 @@
 
 namespace semilunar::output
 {
-  /// A quantity that swings, over its last period: mean = (max + min) / 2, amplitude =
-  /// (max - min) / 2. NaN where there are fewer than two periods.
+  /// A quantity that swings, over its last two periods (of fewer than four, the last one): mean =
+  /// (max + min) / 2, amplitude = (max - min) / 2. Two, because what swings twice while something
+  /// else swings once, as the shortening of a flag, has unlike periods. NaN where there are fewer
+  /// than two.
   struct Oscillation
   {
     double mean, amplitude;
     double frequency;        ///< of the last periods, four at most [1 / time]
-    double amplitude_change; ///< from the period before, relative; 0 if it is periodic
+    double amplitude_change; ///< relative, in a period; 0 if it is periodic
   };
 
   /// Periods begin where the values pass their mean upwards, having been below it by a fifth of the
