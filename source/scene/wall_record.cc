@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <semilunar/core/exceptions.h>
 #include <semilunar/scene/wall_record.h>
 
 #include <cmath>
@@ -9,7 +10,18 @@ namespace semilunar::scene
   namespace
   {
     const char *const axes[] = {"x", "y", "z"};
-  }
+
+    /// Whether a cell of the wall, on any rank, has its centre within its diameter from a point.
+    template <int dim>
+    bool is_near_wall(const mesh::Mesh<dim> &mesh, const dealii::Point<dim> &position)
+    {
+      bool near = false;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        near = near || (cell->is_locally_owned() && cell->material_id() == mesh::wall &&
+                        cell->center().distance(position) <= cell->diameter());
+      return dealii::Utilities::MPI::max(int(near), mesh.triangulation.get_communicator()) > 0;
+    }
+  } // namespace
 
   template <int dim>
   WallRecord<dim>::WallRecord(const FlowRecordParameters &parameters, const mesh::Mesh<dim> &mesh,
@@ -25,6 +37,9 @@ namespace semilunar::scene
       Probe probe{name, {}};
       for (unsigned int d = 0; d < dim; ++d)
         probe.position[d] = number(parts[d], {}, entry);
+      if (!is_near_wall(mesh, probe.position))
+        throw InputError(entry, name, "the probe does not lie in the wall",
+                         "name a point of the wall at rest");
       probes.push_back(probe);
     }
   }

@@ -70,6 +70,8 @@ expect_between valve rejected_steps 0 0
 expect_between valve largest_volume_error 0 0.002 # of 90
 goes_on valve 3 "${valve[@]}"
 
+expect 1 'the probe does not lie in the wall' "$base" --set "Output/Wall probes=far: (9, 0, 1)" --dry-run
+
 # A section Wall without a wall.
 rigid=$scenes/flow/artery.prm
 expect 1 'no wall that this describes' "$rigid" --dry-run --set Wall/Density=2
