@@ -138,7 +138,11 @@ namespace semilunar::scene
         {"force_on_surface_z", "dyn"}};
     if (!shell)
       return all;
-    all.insert(all.end(), {{"kinetic_energy", "erg"}, {"strain_energy", "erg"}});
+    all.insert(all.end(), {{"force_on_supports_x", "dyn"},
+                           {"force_on_supports_y", "dyn"},
+                           {"force_on_supports_z", "dyn"},
+                           {"kinetic_energy", "erg"},
+                           {"strain_energy", "erg"}});
     const auto more = shell->probes.columns();
     all.insert(all.end(), more.begin(), more.end());
     return all;
@@ -158,8 +162,12 @@ namespace semilunar::scene
                                force[2]};
     if (!shell)
       return all;
+    dealii::Tensor<1, 3> on_supports = last.force_on_supports; // without what the shell bears else
+    for (const auto &force : load_at(flow.time()))
+      on_supports += force;
     all.insert(all.end(),
-               {shell->motion.kinetic_energy(), shell->model.equilibrium.strain_energy()});
+               {on_supports[0], on_supports[1], on_supports[2], shell->motion.kinetic_energy(),
+                shell->model.equilibrium.strain_energy()});
     const auto more = shell->probes.displacements(positions());
     all.insert(all.end(), more.begin(), more.end());
     return all;
