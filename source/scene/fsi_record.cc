@@ -191,8 +191,8 @@ namespace semilunar::scene
     if (wall)
     {
       const bool at_rest = report.flow.dt == 0.; // the first row
-      const auto of_wall = at_rest ? std::vector<double>(wall->columns().size(), 0.)
-                                   : wall->row(report.flow, valve.solver());
+      const auto of_wall =
+          at_rest ? wall->row_at_rest(valve.solver()) : wall->row(report.flow, valve.solver());
       all.insert(all.end(), of_wall.begin(), of_wall.end());
     }
     series.add_row(all);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <semilunar/core/exceptions.h>
+#include <semilunar/flow/scaled_jacobian.h>
 #include <semilunar/scene/wall_record.h>
 
 #include <cmath>
@@ -107,13 +108,27 @@ namespace semilunar::scene
   }
 
   template <int dim>
+  double WallRecord<dim>::lumen_volume(flow::FlowSolver<dim> &solver) const
+  {
+    return dealii::Utilities::MPI::sum(solver.cells().volume(), solver.spaces().communicator());
+  }
+
+  template <int dim>
+  std::vector<double> WallRecord<dim>::row_at_rest(flow::FlowSolver<dim> &solver) const
+  {
+    std::vector<double> result = {flow::min_scaled_jacobian(solver.spaces(), solver.positions()),
+                                  0., 0., lumen_volume(solver)};
+    result.resize(columns().size(), 0.);
+    return result;
+  }
+
+  template <int dim>
   std::vector<double> WallRecord<dim>::row(const flow::StepReport &report,
                                            flow::FlowSolver<dim> &solver) const
   {
-    std::vector<double> result = {
-        report.min_scaled_jacobian, report.interface_error, double(report.n_geometry),
-        dealii::Utilities::MPI::sum(solver.cells().volume(), solver.spaces().communicator()),
-        largest_displacement(solver)};
+    std::vector<double> result = {report.min_scaled_jacobian, report.interface_error,
+                                  double(report.n_geometry), lumen_volume(solver),
+                                  largest_displacement(solver)};
     const auto force = solver.force_on_blood(force_ids, true);
     for (unsigned int d = 0; d < dim; ++d)
       result.push_back(-force_scale * force[d]);

@@ -20,7 +20,9 @@ namespace semilunar::scene
                bool is_held = false);
 
     std::vector<output::TimeSeries::Column> columns() const;
-    /// Values of the columns after a step. Collective.
+    /// Values of the columns before the first step. Collective.
+    std::vector<double> row_at_rest(flow::FlowSolver<dim> &solver) const;
+    /// After a step. Collective.
     std::vector<double> row(const flow::StepReport &report, flow::FlowSolver<dim> &solver) const;
 
   private:
@@ -34,6 +36,7 @@ namespace semilunar::scene
     dealii::Tensor<1, dim> displacement(const Probe &probe,
                                         const flow::FlowSolver<dim> &solver) const;
 
+    double lumen_volume(flow::FlowSolver<dim> &solver) const;
     double largest_displacement(const flow::FlowSolver<dim> &solver) const;
 
     const double force_scale;
