@@ -34,7 +34,7 @@ class Axis:
         return self.begin + part * (self.end - self.begin)
 
 
-def write_svg(path, title, x_label, y_label, series, logarithmic=False):
+def write_svg(path, title, x_label, y_label, series, logarithmic=False, labels_right=False):
     """Write a plot. series: (label, [(x, y)], whether to draw marks in place of a line)."""
     x = Axis([p[0] for _, points, _ in series for p in points], LEFT, WIDTH - RIGHT, logarithmic)
     y = Axis([p[1] for _, points, _ in series for p in points], HEIGHT - BOTTOM, TOP, logarithmic)
@@ -61,6 +61,8 @@ def write_svg(path, title, x_label, y_label, series, logarithmic=False):
         else:
             out.append('<polyline fill="none" stroke-width="1.5" stroke="' + colour + '" points="' +
                        " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in points) + '"/>')
-        out.append(f'<text x="{LEFT + 12}" y="{TOP + 18 + 16 * k}" fill="{colour}">'
+        where = (f'x="{WIDTH - RIGHT - 12}" text-anchor="end"' if labels_right
+                 else f'x="{LEFT + 12}"')
+        out.append(f'<text {where} y="{TOP + 18 + 16 * k}" fill="{colour}">'
                    f'{"o" if marks else "-"} {label}</text>')
     path.write_text("\n".join(out + ["</svg>"]) + "\n")

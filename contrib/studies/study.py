@@ -29,7 +29,6 @@ class Run:
         self.deviations = deviations  # of deviation.csv, the quantity among them
         self.references = {name: q["reference"] for name, q in summary["quantities"].items()
                            if q.get("reference") is not None}
-        self.cpu = summary["cost"].get("cpu_s", math.nan)
 
 
 class Program:
