@@ -44,7 +44,7 @@ namespace semilunar::output
     numbers.cfl.reinit(numbers.reynolds);
     const double degree = state.degree();
     for (const auto &cell : state.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (is_owned_lumen(cell))
       {
         values.reinit(cell);
         values[velocity].get_function_values(state.velocity, u);
@@ -78,7 +78,7 @@ namespace semilunar::output
     const dealii::FEValuesExtractors::Vector velocity(0);
     std::vector<dealii::Tensor<2, dim>> gradients(points.size());
     for (const auto &cell : state.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (is_owned_lumen(cell))
       {
         values.reinit(cell);
         values[velocity].get_function_gradients(state.velocity, gradients);

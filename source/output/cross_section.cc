@@ -118,7 +118,7 @@ namespace semilunar::output
     area = 0.;
     for (const auto &cell : state.triangulation().active_cell_iterators())
     {
-      if (!cell->is_locally_owned())
+      if (!is_owned_lumen(cell))
         continue;
       const auto box = state.mapping.get_bounding_box(cell);
       const double margin = 0.1 * (box.upper_bound(axis) - box.lower_bound(axis));

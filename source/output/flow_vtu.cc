@@ -113,14 +113,17 @@ namespace semilunar::output
       const double viscosity;
     };
 
-    /// The faces of the walls.
+    /// The faces between blood and walls.
     template <int dim>
     class WallFaces : public dealii::DataOutFaces<dim>
     {
     public:
       using Face = typename dealii::DataOutFaces<dim>::FaceDescriptor;
 
-      explicit WallFaces(const std::set<dealii::types::boundary_id> &walls) : walls(walls) {}
+      explicit WallFaces(const std::set<dealii::types::boundary_id> &walls)
+          : dealii::DataOutFaces<dim>(false), walls(walls)
+      {
+      }
 
       Face first_face() override { return skip_others(dealii::DataOutFaces<dim>::first_face()); }
 
@@ -133,7 +136,7 @@ namespace semilunar::output
       Face skip_others(Face face)
       {
         while (face.first != this->triangulation->end() &&
-               walls.count(face.first->face(face.second)->boundary_id()) == 0)
+               !is_at_wall(face.first, face.second, walls))
           face = dealii::DataOutFaces<dim>::next_face(face);
         return face;
       }
@@ -193,6 +196,15 @@ namespace semilunar::output
                          std::vector<std::string>(dim, "velocity"),
                          std::vector<Interpretation>(dim, part_of_vector));
     data.add_data_vector(state.pressure_dofs, state.pressure, "pressure");
+    const bool has_wall = state.has_wall();
+    dealii::Vector<float> in_wall;
+    if (has_wall)
+    {
+      in_wall.reinit(state.triangulation().n_active_cells());
+      for (const auto &cell : state.triangulation().active_cell_iterators())
+        in_wall[cell->active_cell_index()] = cell->material_id() == mesh::wall;
+      data.add_data_vector(in_wall, "in_wall");
+    }
     CellNumbers numbers;
     if (parameters.derived)
     {
@@ -208,7 +220,7 @@ namespace semilunar::output
     const std::string name = std::string("flow-") + number;
     write_vtu(data, folder / name, state.time, parameters.high_order, state.communicator());
     on_first_rank([&]() { flow_collection.add(state.time, name); });
-    if (parameters.wall && !walls.empty())
+    if (parameters.wall && (has_wall || !walls.empty()))
       write_walls(state, number);
     return name;
   }

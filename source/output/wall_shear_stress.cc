@@ -32,9 +32,9 @@ namespace semilunar::output
     WallShearStress stress{std::numeric_limits<double>::infinity(), 0., 0.};
     double area = 0.;
     for (const auto &cell : state.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
+      if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && walls.count(cell->face(f)->boundary_id()) > 0)
+          if (is_at_wall(cell, f, walls))
           {
             values.reinit(cell, f);
             values[velocity].get_function_gradients(state.velocity, gradients);

@@ -175,6 +175,32 @@ void test_pipe(const std::filesystem::path &folder)
           0.);
 }
 
+/// The pipe with an elastic wall: what is read off the blood does not see it.
+void test_elastic_pipe(const std::filesystem::path &folder)
+{
+  mesh::MeshParameters parameters;
+  parameters.shape = mesh::Shape::pipe;
+  parameters.pipe = mesh::TubeParameters::pipe(1., 2.);
+  parameters.pipe.n_cells_around = 24;
+  parameters.pipe.n_cells_along = 4;
+  parameters.pipe.wall_thickness = 0.2;
+  const Fields<3> fields(mesh::make_mesh<3>(parameters, MPI_COMM_WORLD));
+  const auto state = fields.state();
+  output::CrossSection<3> section(2, 0.3);
+  section.reinit(state);
+  const auto values = section.evaluate(state);
+  check("area within a wall", values.area / pi - 1., std::pow(pi / 24., 4) / 24. + 1e-7);
+  check("flow rate within a wall", values.flow_rate / pi - 1., 1e-4);
+  check("mean pressure within a wall", values.pressure - 2.4, 1e-10);
+  const auto stress = output::wall_shear_stress(state, {});
+  check("smallest shear stress on an elastic wall", stress.min / 0.12 - 1., 0.01);
+  check("largest shear stress on an elastic wall", stress.max / 0.12 - 1., 0.01);
+  output::FlowVtu<3> files(folder, {}, {});
+  files.write(state);
+  check("file of an elastic wall",
+        std::filesystem::file_size(folder / "wall-0000.vtu") > 200 ? 0. : 1., 0.);
+}
+
 /// A box of side 1 turned by 0.3: the plane leaves cells through their sides.
 void test_oblique_cut()
 {
@@ -219,6 +245,8 @@ int main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_pipe(".");
+  std::filesystem::create_directory("elastic");
+  test_elastic_pipe("elastic");
   test_oblique_cut();
   test_cell_numbers();
 }

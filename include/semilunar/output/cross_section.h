@@ -7,7 +7,7 @@
 
 namespace semilunar::output
 {
-  /// The plane x_axis = position through a mesh: flow rate and mean pressure there (O3). Points of
+  /// The plane x_axis = position through a lumen: flow rate and mean pressure there (O3). Points of
   /// the plane are located once, and their contributions added up to a linear functional.
   template <int dim>
   class CrossSection
@@ -27,7 +27,7 @@ namespace semilunar::output
     {
       double area;      ///< [cm^2], in the plane [cm]
       double flow_rate; ///< along the axis [cm^3/s], in the plane [cm^2/s]
-      double pressure;  ///< mean [dyn/cm^2]; NaN if the plane misses the mesh
+      double pressure;  ///< mean [dyn/cm^2]; NaN if the plane misses the lumen
     };
     /// Collective.
     Values evaluate(const FlowState<dim> &state) const;

@@ -27,9 +27,9 @@ namespace semilunar::output
   };
 
   /// Writes states of a flow for ParaView, all ranks into one file: flow-0000.vtu, ... with
-  /// velocity, pressure, vorticity, Q criterion (O4), cell Reynolds and CFL numbers (O5), and
-  /// wall-0000.vtu, ... with the wall shear stress (O6) of the walls; collected in flow.pvd,
-  /// wall.pvd.
+  /// velocity, pressure, vorticity, Q criterion (O4), cell Reynolds and CFL numbers (O5), whether
+  /// a cell is in an elastic wall, and wall-0000.vtu, ... with the wall shear stress (O6) of the
+  /// walls, elastic ones among them; collected in flow.pvd, wall.pvd.
   template <int dim>
   class FlowVtu
   {
