@@ -203,6 +203,8 @@ namespace semilunar::flow
     {
       equations.cells().momentum_matrix(batch, cell_matrix.data());
       add_batch(batch, cell_matrix.data());
+      if (wall)
+        wall->add_lumen_of_others(batch, cell_matrix.data());
     }
     const auto add = [this](const CellLane &cell, const unsigned int i, const unsigned int j,
                             const double entry) { add_entry(cell, i, j, entry); };

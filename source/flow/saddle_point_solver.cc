@@ -46,7 +46,7 @@ namespace semilunar::flow
       : equations(equations), prm(parameters), timers(timers), momentum(equations.spaces())
   {
     if (equations.wall())
-      wall = std::make_unique<WallMatrix<dim>>(equations.spaces(), equations.wall()->nodes());
+      wall = std::make_unique<WallMatrix<dim>>(equations.spaces(), equations.wall()->nodes(), true);
   }
 
   template <int dim>

@@ -14,33 +14,94 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::reinit()
   {
-    const auto &owned = wall_nodes.owned();
-    number.assign(spaces.nodes()->locally_owned_size() + spaces.nodes()->n_ghost_indices(), -1);
-    for (unsigned int i = 0; i < owned.size(); ++i)
-      number[owned[i]] = i;
+    find_nodes();
+    make_pattern();
+  }
+
+  template <int dim>
+  std::vector<unsigned int> WallMatrix<dim>::overlap() const
+  {
+    // Rows are complete where as many cells are seen as there are on all ranks.
     const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim);
-    dealii::DynamicSparsityPattern pattern(owned.size(), owned.size());
+    std::vector<unsigned int> seen(spaces.nodes()->locally_owned_size() +
+                                   spaces.nodes()->n_ghost_indices());
+    Vector all(spaces.nodes());
     Masters masters;
-    std::vector<dealii::types::global_dof_index> nodes;
+    for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_wall(); ++batch)
+      for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+        for (unsigned int i = 0; i < n_cell_nodes; ++i)
+        {
+          spaces.velocity_hanging().masters_of(spaces.velocity_nodes(batch)[i][lane], masters);
+          for (const auto &master : masters)
+          {
+            ++seen[master.node];
+            if (batch < spaces.end_of_owned_wall())
+              all.local_element(master.node) += 1.;
+          }
+        }
+    all.compress(dealii::VectorOperation::add);
+    all.update_ghost_values();
+    std::vector<unsigned int> result;
+    for (unsigned int node = spaces.nodes()->locally_owned_size(); node < seen.size(); ++node)
+      if (seen[node] > 0 && seen[node] == all.local_element(node))
+        result.push_back(node);
+    return result;
+  }
+
+  template <int dim>
+  void WallMatrix<dim>::find_nodes()
+  {
+    nodes = wall_nodes.owned();
+    if (overlapping)
+    {
+      const std::vector<unsigned int> others = overlap();
+      if (!nodes.empty())
+        nodes.insert(nodes.end(), others.begin(), others.end());
+    }
+    number.assign(spaces.nodes()->locally_owned_size() + spaces.nodes()->n_ghost_indices(), -1);
+    dealii::IndexSet ghosts(spaces.velocities()->size());
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+    {
+      number[nodes[i]] = i;
+      const auto first = dim * spaces.nodes()->local_to_global(nodes[i]);
+      if (i >= wall_nodes.owned().size())
+        ghosts.add_range(first, first + dim);
+    }
+    const auto partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+        spaces.velocities()->locally_owned_range(), ghosts, spaces.communicator());
+    shared.reinit(partitioner);
+    place.clear();
+    for (const unsigned int node : nodes)
+      place.push_back(partitioner->global_to_local(dim * spaces.nodes()->local_to_global(node)));
+    work.resize(dim * nodes.size());
+  }
+
+  template <int dim>
+  void WallMatrix<dim>::make_pattern()
+  {
+    const unsigned int n_cell_nodes = power(spaces.degree() + 1, dim);
+    dealii::DynamicSparsityPattern pattern(nodes.size(), nodes.size());
+    Masters masters;
+    std::vector<dealii::types::global_dof_index> of_cell;
     for (unsigned int batch = spaces.n_batches(); batch < spaces.end_of_wall(); ++batch)
       for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
       {
-        nodes.clear();
+        of_cell.clear();
         for (unsigned int i = 0; i < n_cell_nodes; ++i)
         {
           spaces.velocity_hanging().masters_of(spaces.velocity_nodes(batch)[i][lane], masters);
           for (const auto &master : masters)
             if (number[master.node] >= 0)
-              nodes.push_back(number[master.node]);
+              of_cell.push_back(number[master.node]);
         }
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        for (const auto row : nodes)
-          pattern.add_entries(row, nodes.begin(), nodes.end(), true);
+        std::sort(of_cell.begin(), of_cell.end());
+        of_cell.erase(std::unique(of_cell.begin(), of_cell.end()), of_cell.end());
+        for (const auto row : of_cell)
+          pattern.add_entries(row, of_cell.begin(), of_cell.end(), true);
       }
     row_start.assign(1, 0);
     column.clear();
-    for (unsigned int i = 0; i < owned.size(); ++i)
+    for (unsigned int i = 0; i < nodes.size(); ++i)
     {
       for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
         if (entry->column() >= i)
@@ -48,7 +109,6 @@ namespace semilunar::flow
       row_start.push_back(column.size());
     }
     value.resize(column.size());
-    work.resize(dim * owned.size());
     factors.clear();
   }
 
@@ -108,6 +168,33 @@ namespace semilunar::flow
   }
 
   template <int dim>
+  void WallMatrix<dim>::add_lumen_of_others(const unsigned int batch, const Lanes *matrix)
+  {
+    const unsigned int n = power(spaces.degree() + 1, dim),
+                       n_owned = spaces.nodes()->locally_owned_size();
+    const auto *cell_nodes = spaces.velocity_nodes(batch);
+    std::vector<Masters> masters(n);
+    for (unsigned int lane = 0; lane < spaces.n_filled_lanes(batch); ++lane)
+    {
+      bool has_others = false;
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        spaces.velocity_hanging().masters_of(cell_nodes[i][lane], masters[i]);
+        for (const auto &master : masters[i])
+          has_others = has_others || (master.node >= n_owned && number[master.node] >= 0);
+      }
+      if (!has_others)
+        continue;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (const auto &row : masters[i])
+            for (const auto &col : masters[j])
+              if (row.node >= n_owned || col.node >= n_owned)
+                add(row.node, col.node, row.weight * col.weight * matrix[i * n + j][lane]);
+    }
+  }
+
+  template <int dim>
   void WallMatrix<dim>::eliminate(const VelocityConstraints<dim> &constraints)
   {
     using Entry = typename VelocityConstraints<dim>::Entry;
@@ -120,14 +207,13 @@ namespace semilunar::flow
           P -= outer_product(entry->directions[d], entry->directions[d]);
       return P;
     };
-    const auto &owned = wall_nodes.owned();
-    for (unsigned int i = 0; i < owned.size(); ++i)
+    for (unsigned int i = 0; i < nodes.size(); ++i)
     {
-      const Entry *row = constraints.of_node(owned[i]);
+      const Entry *row = constraints.of_node(nodes[i]);
       const Block left = projector(row);
       for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
       {
-        const Entry *col = constraints.of_node(owned[column[k]]);
+        const Entry *col = constraints.of_node(nodes[column[k]]);
         if (!row && !col)
           continue;
         const double scale = trace(value[k]) / dim;
@@ -141,7 +227,7 @@ namespace semilunar::flow
   template <int dim>
   void WallMatrix<dim>::factorise(const VelocityConstraints<dim> &constraints)
   {
-    const unsigned int n_nodes = wall_nodes.owned().size();
+    const unsigned int n_nodes = nodes.size();
     if (n_nodes == 0)
       return;
     eliminate(constraints);
@@ -166,11 +252,16 @@ namespace semilunar::flow
   void WallMatrix<dim>::solve(const Vector &b, Vector &x) const
   {
     const auto &owned = wall_nodes.owned();
+    shared.zero_out_ghost_values();
+    for (const unsigned int node : owned)
+      for (int c = 0; c < dim; ++c)
+        shared.local_element(dim * node + c) = b.local_element(dim * node + c);
+    shared.update_ghost_values();
     if (owned.empty())
       return;
-    for (unsigned int i = 0; i < owned.size(); ++i)
+    for (unsigned int i = 0; i < nodes.size(); ++i)
       for (int c = 0; c < dim; ++c)
-        work[dim * i + c] = b.local_element(dim * owned[i] + c);
+        work[dim * i + c] = shared.local_element(place[i] + c);
     factors.solve(work.data(), work.data());
     for (unsigned int i = 0; i < owned.size(); ++i)
       for (int c = 0; c < dim; ++c)

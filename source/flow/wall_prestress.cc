@@ -28,7 +28,7 @@ namespace semilunar::flow
       WallAtRest(const Spaces<dim> &spaces, const WallNodes<dim> &nodes,
                  const VelocityConstraints<dim> &constraints, const Vector &reference,
                  const WallParameters &prm, WallForms<dim> &forms)
-          : spaces(spaces), constraints(constraints), forms(forms), matrix(spaces, nodes)
+          : spaces(spaces), constraints(constraints), forms(forms), matrix(spaces, nodes, false)
       {
         const double volume =
             dealii::Utilities::MPI::sum(forms.reference_volume(), spaces.communicator());

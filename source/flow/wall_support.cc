@@ -18,6 +18,26 @@ namespace semilunar::flow
         throw InputError("Wall/Supported boundaries", std::to_string(id),
                          "no cell of the wall lies at this part of the boundary",
                          "name a boundary of the wall");
+    find_areas_of_others();
+  }
+
+  template <int dim>
+  void WallSupport<dim>::find_areas_of_others()
+  {
+    Vector area(spaces.nodes());
+    for (unsigned int k = 0; k < mass.size(); ++k)
+      area.local_element(nodes[k / n_face_nodes]) += mass[k];
+    spaces.velocity_hanging().template fold<1>(area.begin());
+    const std::vector<double> own(area.begin(), area.begin() +
+                                                    spaces.nodes()->locally_owned_size() +
+                                                    spaces.nodes()->n_ghost_indices());
+    area.compress(dealii::VectorOperation::add);
+    area.update_ghost_values();
+    of_others.clear();
+    constexpr double rounding = 1e-12;
+    for (unsigned int node = 0; node < own.size(); ++node)
+      if (area.local_element(node) > (1. + rounding) * own[node])
+        of_others.emplace_back(node, area.local_element(node) - own[node]);
   }
 
   template <int dim>

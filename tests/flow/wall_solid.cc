@@ -237,7 +237,7 @@ namespace
     clamped.reinit(nodes.spaces, faces, bc);
     WallNodes<2> wall_nodes(nodes.spaces);
     wall_nodes.reinit();
-    WallMatrix<2> matrix(nodes.spaces, wall_nodes);
+    WallMatrix<2> matrix(nodes.spaces, wall_nodes, true);
     matrix.reinit();
 
     Vector x(nodes.spaces.velocities()), none(nodes.spaces.velocities()), r(x), change(x);

@@ -37,8 +37,8 @@ namespace semilunar::flow
     /// @param history alpha_1 u_old + alpha_2 u_older
     void add_residual(const Vector &velocity, const Vector &history, Vector &momentum) const;
     void add_jacobian(const Vector &velocity, Vector &momentum) const;
-    /// Calls add(row, column, entry) with the support's part of the derivative between owned nodes,
-    /// the same for all components.
+    /// Calls add(row, column, entry) with the support's part of the derivative between stored
+    /// nodes, the same for all components; that of other ranks' faces is lumped.
     template <class Add>
     void support_matrix(const Add &add) const
     {

@@ -26,26 +26,31 @@ namespace semilunar::flow
     /// values of the field.
     void add(double factor, const Vector &values, Vector &momentum) const;
 
-    /// Calls add(row, column, entry) with the entries of that matrix between owned nodes, each the
-    /// same for all components.
+    /// Calls add(row, column, entry) with the entries of that matrix between stored nodes, each the
+    /// same for all components. What the faces of other ranks add is lumped.
     template <class Add>
     void matrix(const Add &add) const;
 
   private:
     /// @return whether any rank has a face of the wall there
     bool add_part(const BoundaryFaces<dim> &faces, dealii::types::boundary_id id);
+    /// Areas of nodes on faces of other ranks. Collective.
+    void find_areas_of_others();
 
     const Spaces<dim> &spaces;
     unsigned int n_face_nodes = 0;
-    std::vector<unsigned int> nodes; ///< [face][node]: stored
-    std::vector<double> mass;        ///< [face][node][node] [cm^(dim-1)]
+    std::vector<unsigned int> nodes;                        ///< [face][node]: stored
+    std::vector<double> mass;                               ///< [face][node][node] [cm^(dim-1)]
+    std::vector<std::pair<unsigned int, double>> of_others; ///< stored node, area [cm^(dim-1)]
   };
 
   template <int dim>
   template <class Add>
   void WallSupport<dim>::matrix(const Add &add) const
   {
-    const unsigned int n = n_face_nodes, n_owned = spaces.nodes()->locally_owned_size();
+    for (const auto &[node, area] : of_others)
+      add(node, node, area);
+    const unsigned int n = n_face_nodes;
     std::vector<HangingNodes::Master> rows, columns;
     for (unsigned int k = 0; k < mass.size(); ++k)
     {
@@ -53,8 +58,7 @@ namespace semilunar::flow
       spaces.velocity_hanging().masters_of(nodes[k / (n * n) * n + k % n], columns);
       for (const auto &row : rows)
         for (const auto &column : columns)
-          if (row.node < n_owned && column.node < n_owned)
-            add(row.node, column.node, row.weight * column.weight * mass[k]);
+          add(row.node, column.node, row.weight * column.weight * mass[k]);
     }
   }
 } // namespace semilunar::flow
