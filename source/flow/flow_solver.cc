@@ -108,7 +108,8 @@ namespace semilunar::flow
     if (equations.wall())
     {
       equations.wall()->start_step(bdf, nodes.old_positions(), nodes.older_positions());
-      move_with_wall(advecting, nodes.extrapolated(bdf.extrapolation));
+      const bool old = equations.wall()->parameters().prediction == "old velocity";
+      move_with_wall(old ? old_state.velocity : advecting, nodes.extrapolated(bdf.extrapolation));
     }
   }
 

@@ -48,6 +48,11 @@ namespace semilunar::flow
     add("Supported boundaries", supported,
         "Names of the boundaries of the wall that this tissue surrounds",
         Patterns::List(Patterns::Anything()));
+    add("Prediction", prediction,
+        "What the mesh of a step supposes of the wall's velocity: extrapolated from two old ones, "
+        "or the old one, less accurate, for thin walls that a high pressure has stretched: they "
+        "become unstable when the extrapolation overshoots",
+        Patterns::Selection("extrapolated|old velocity"));
     add("Geometry iterations", max_geometry_iterations,
         "How often a step is solved with the mesh moved to where the wall has been found, at most; "
         "1: on the predicted positions alone",

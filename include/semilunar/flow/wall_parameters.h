@@ -30,6 +30,7 @@ namespace semilunar::flow
     std::vector<std::string> supported = {"outer_wall"}; ///< names of parts of the boundary
     double support_stiffness = 0.;                       ///< [dyn/cm^3]
     double support_damping = 0.;                         ///< [dyn s/cm^3]
+    std::string prediction = "extrapolated";             ///< of the wall's velocity: its mesh
     unsigned int max_geometry_iterations = 1;            ///< of a step
     double geometry_tolerance = 1e-4;                    ///< of the interface [cm]
 
