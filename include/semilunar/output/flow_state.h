@@ -41,6 +41,7 @@ namespace semilunar::output
     MPI_Comm communicator() const { return velocity_dofs.get_communicator(); }
   };
 
+  /// Whether a cell has blood in it and belongs to this rank.
   template <class Cell>
   bool is_owned_lumen(const Cell &cell)
   {

@@ -20,7 +20,7 @@ namespace semilunar::scene
                bool is_held = false);
 
     std::vector<output::TimeSeries::Column> columns() const;
-    /// Values of the columns before the first step. Collective.
+    /// Values of the columns before the first step: forces, which a step gives, are 0. Collective.
     std::vector<double> row_at_rest(flow::FlowSolver<dim> &solver) const;
     /// After a step. Collective.
     std::vector<double> row(const flow::StepReport &report, flow::FlowSolver<dim> &solver) const;
